@@ -1,0 +1,18 @@
+# ashlar_module(NAME … SOURCES … [LIBRARIES …]) builds one module:
+#   a static library ashlar_module_NAME with its code (for its own tests), and
+#   the shared object ashlar_NAME.so that the program opens on demand,
+# and puts the module's module.lua (its schemas) beside it.
+function(ashlar_module)
+  cmake_parse_arguments(M "" "NAME" "SOURCES;LIBRARIES" ${ARGN})
+  add_library(ashlar_module_${M_NAME} STATIC ${M_SOURCES})
+  target_link_libraries(ashlar_module_${M_NAME} PUBLIC ashlar::framework ${M_LIBRARIES})
+  target_include_directories(ashlar_module_${M_NAME} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/..")
+
+  add_library(ashlar_${M_NAME} MODULE)
+  target_link_libraries(ashlar_${M_NAME} PRIVATE "$<LINK_LIBRARY:WHOLE_ARCHIVE,ashlar_module_${M_NAME}>")
+  set_target_properties(ashlar_${M_NAME} PROPERTIES PREFIX "" LINKER_LANGUAGE CXX
+    LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/modules/${M_NAME}")
+  configure_file(module.lua "${CMAKE_BINARY_DIR}/modules/${M_NAME}/module.lua" COPYONLY)
+  install(TARGETS ashlar_${M_NAME} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/ashlar/modules/${M_NAME}")
+  install(FILES module.lua DESTINATION "${CMAKE_INSTALL_LIBDIR}/ashlar/modules/${M_NAME}")
+endfunction()
