@@ -51,6 +51,7 @@ struct Parameter {
   Range range;                         ///< outside: an error
   Range usual;                         ///< outside: a warning ("did you forget a unit?")
   std::vector<std::string> choices;    ///< allowed words, if not empty
+  std::string refers;                  ///< the word (or the map's keys) must name an "edge", "region", "joint", "lip" or "stage" of the scene
   std::string kind;                    ///< for objects (and objects inside lists and maps): the registered kind
   std::shared_ptr<const Parameter> each;  ///< for lists and maps: what every item must be
   bool numerical = false;              ///< a numerical knob: its default is logged

@@ -1,0 +1,47 @@
+#pragma once
+// A material law is a pure function: (strain, committed internal variables) → (stress, tangent, trial
+// variables). Plane problems; vectors are Voigt (xx, yy, xy) with the engineering shear strain γ_xy. Tension
+// positive.
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "core/schema.hpp"
+
+namespace ashlar::model {
+
+enum class Plane { strain, stress };
+
+using Voigt = std::array<double, 3>;    ///< (xx, yy, xy)
+using Tangent = std::array<double, 9>;  ///< row by row, ∂σ_i/∂ε_j [Pa]
+
+struct Response {
+  Voigt stress{};        ///< [Pa]
+  double stress_zz = 0;  ///< out of plane [Pa]; 0 in plane stress
+  Tangent tangent{};
+};
+
+class Material {
+ public:
+  virtual ~Material() = default;
+  /// True if the tangent never changes: a stage then needs no Newton iteration.
+  virtual bool linear() const = 0;
+  /// Number of internal variables at each point.
+  virtual int internal_variables() const { return 0; }
+  virtual Response respond(const Voigt& strain, std::span<const double> committed,
+                           std::span<double> trial) const = 0;
+  /// Weight per volume [N/m³] under gravity g [m/s²]; a law given by its unit weight ignores g. Negative: not
+  /// given.
+  virtual double unit_weight(double gravity) const = 0;
+  virtual double shear_modulus() const = 0;  ///< μ [Pa]: scales stabilisation
+  virtual double plane_modulus()
+      const = 0;  ///< E' = E/(1−ν²) in plane strain, E in plane stress [Pa]: scales penalties
+};
+
+/// A module registers a law as kind "material" with this signature. Mistakes that depend on the plane (ν =
+/// 0.5 in plane strain) go to `mistakes` with the parameter's place; the result is then null.
+using MakeMaterial = std::shared_ptr<const Material>(const core::Settings& settings, Plane plane,
+                                                     core::Mistakes& mistakes);
+
+}  // namespace ashlar::model

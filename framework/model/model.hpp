@@ -1,0 +1,41 @@
+#pragma once
+// The const model: mesh, materials, element, dofs. Terms read it; nothing changes it.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fields/dof_map.hpp"
+#include "fields/state.hpp"
+#include "mesh/mesh.hpp"
+#include "model/element.hpp"
+#include "model/material.hpp"
+
+namespace ashlar::model {
+
+using mesh::Index;
+
+struct Model {
+  mesh::Mesh mesh;
+  Plane plane = Plane::strain;
+  double thickness = 1;                                    ///< [m]
+  std::vector<std::shared_ptr<const Material>> materials;  ///< by region
+  std::shared_ptr<const Element> element;
+  fields::DofMap dofs;  ///< of the displacement
+  double length = 1;    ///< diagonal of the bounding box [m]
+
+  const Material& material(Index cell) const { return *materials[mesh.cell_region[cell]]; }
+};
+
+/// Dofs that are held in a stage, with their displacements at the stage's end, and the numbers of the free
+/// ones.
+struct Constraints {
+  std::vector<char> held;      ///< by dof
+  std::vector<double> value;   ///< by dof: prescribed displacement [m]; 0 where free
+  std::vector<Index> unknown;  ///< by dof: number of the free unknown, -1 if held
+  std::vector<Index> dof;      ///< by unknown
+  Index unknowns() const { return static_cast<Index>(dof.size()); }
+  bool same_dofs(const Constraints& other) const { return held == other.held; }
+};
+
+}  // namespace ashlar::model

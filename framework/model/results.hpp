@@ -1,0 +1,92 @@
+#pragma once
+// What a run found, ready to be written: fields, joint profiles, probes, balance, iterations.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "model/term.hpp"
+
+namespace ashlar::model {
+
+/// A field on points or cells, `width` values each.
+struct FieldResult {
+  enum class On { points, cells };
+  std::string name;  ///< "displacement", "stress", "principal_stress" …
+  std::string unit;  ///< "m", "Pa", ""
+  On on = On::points;
+  int width = 1;
+  std::vector<std::string> components;  ///< "x", "y" / "xx", "yy", "xy", "zz"
+  std::vector<double> values;           ///< entity by entity
+};
+
+/// One joint along its arc length: rows at the points of the slave lip, ascending s.
+struct JointResult {
+  struct Row {
+    double s = 0;         ///< arc length along the joint [m]
+    Point at;             ///< undeformed place
+    double opening = 0;   ///< normal distance of the lips [m]; negative: penetration of the penalty
+    double slip = 0;      ///< movement of the first lip against the second, along the path [m]
+    double pressure = 0;  ///< contact pressure, compression positive [Pa]
+    bool closed = false;
+    int piece = 0;  ///< changes where the profile is interrupted
+  };
+  std::string name;
+  std::vector<Row> rows;
+  double normal_force = 0;  ///< Σ contact forces along the normals, compression positive [N]
+  Resultant resultant;      ///< contact force on the first lip's body
+  double max_opening = 0, max_slip = 0, max_penetration = 0, max_pressure = 0;
+  double penetration_over_h = 0;
+  int closed = 0, points = 0;
+};
+
+struct ProbeResult {
+  std::string name;
+  Point asked, at;                       ///< asked place, and the mesh point used
+  std::map<std::string, double> values;  ///< "ux", "uy", "sxx", "syy", "sxy", "s1", "s3" …
+};
+
+/// Sums of loads and reactions. The error is relative to the sum of absolute loads.
+struct Balance {
+  std::vector<std::pair<std::string, Resultant>> loads;      ///< by effect
+  std::vector<std::pair<std::string, Resultant>> reactions;  ///< by support
+  Resultant load, reaction;
+  double relative_error = 0;
+};
+
+struct Extreme {
+  std::string quantity, unit;  ///< "uy", "m"
+  double least = 0, greatest = 0;
+  Point least_at, greatest_at;
+};
+
+/// One row of a stage's iteration table.
+struct Iteration {
+  int step = 1, number = 1;
+  double residual = 0;  ///< relative force residual
+  std::vector<std::pair<std::string, double>> facts;
+};
+
+struct StageResult {
+  std::string name;
+  bool converged = true;
+  std::string reason;  ///< if not
+  std::vector<std::string> effects;
+  std::vector<FieldResult> fields;
+  std::vector<JointResult> joints;
+  std::vector<ProbeResult> probes;
+  Balance balance;
+  std::vector<Iteration> iterations;
+  std::vector<Extreme> extremes;
+  bool factored = true;  ///< false: the previous factorisation served
+  Index unknowns = 0, kept = 0;
+  std::string solver;         ///< what the solver said of its factorisation
+  double backward_error = 0;  ///< of the last linear solve
+};
+
+struct RunResult {
+  std::vector<StageResult> stages;
+  bool converged = true;
+};
+
+}  // namespace ashlar::model

@@ -1,0 +1,90 @@
+#pragma once
+// A term is one contribution to the equilibrium of a stage:
+//   residual(u) = Σ stiffness terms K u + Σ local terms c(u, status) − Σ loads f = 0 in the free dofs;
+// in the held dofs the residual is the reaction. Elasticity, contact, gravity and water are equals.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "algebra/sparse.hpp"
+#include "model/model.hpp"
+
+namespace ashlar::model {
+
+struct StageResult;
+
+/// Forces and their moment about the origin [N, N, N·m].
+struct Resultant {
+  double x = 0, y = 0, moment = 0;
+};
+
+class Term {
+ public:
+  explicit Term(std::string effect) : effect_(std::move(effect)) {}
+  virtual ~Term() = default;
+  /// The effect it belongs to: its name in the ledger and in the balance.
+  const std::string& effect() const { return effect_; }
+  /// Memory that it holds.
+  virtual std::size_t bytes() const { return 0; }
+  /// Adds what it knows to a finished stage's results (stresses, joint profiles …), from the committed state.
+  virtual void add_results(const fields::State&, StageResult&) const {}
+
+ private:
+  std::string effect_;
+};
+
+/// Forces that do not depend on the displacement.
+class Load : public Term {
+ public:
+  using Term::Term;
+  /// force += this load, by dof [N].
+  virtual void add_force(std::span<double> force) const = 0;
+};
+
+/// A constant, symmetric, positive semidefinite tangent.
+class Stiffness : public Term {
+ public:
+  using Term::Term;
+  /// Groups of dofs that couple: one row per cell.
+  virtual const algebra::Adjacency& groups() const = 0;
+  /// value[map] += packed lower triangles of all groups.
+  virtual void add_tangent(const algebra::ScatterMap& map, std::span<double> value) const = 0;
+  /// force += K u, by dof.
+  virtual void add_internal_force(std::span<const double> u, std::span<double> force) const = 0;
+};
+
+/// A nonlinear term in a few dofs only: the bulk is factored once, and the iteration stays on those dofs. For
+/// a fixed status (open, closed …) its force is a smooth function of the displacement.
+class LocalTerm : public Term {
+ public:
+  using Term::Term;
+  /// Ascending dofs that it touches, held ones included.
+  virtual std::span<const Index> touched() const = 0;
+  /// force += c(u) and tangent += ∂c/∂u at the trial state, for the present status. `u` and `force` are the
+  /// touched dofs in their order; `tangent` is square, in the same order.
+  virtual void add_local(const fields::State& state, std::span<const double> u,
+                         Eigen::Ref<Eigen::VectorXd> force, Eigen::Ref<Eigen::MatrixXd> tangent) const = 0;
+  /// Chooses the status that fits `u` and stores it in the trial state; returns how many points changed.
+  virtual int update_status(fields::State& state, std::span<const double> u) const = 0;
+  /// Status of every point as small integers: what tells two iterates apart when a cycle is looked for.
+  virtual std::vector<std::int8_t> status(const fields::State& state) const = 0;
+  /// A point's name for messages: "fault at (6.2, 7.8)".
+  virtual std::string point_name(std::size_t point) const = 0;
+  /// Numbers for the iteration table at these displacements: "closed", "open", "penetration/h" …
+  virtual std::vector<std::pair<std::string, double>> facts(const fields::State& state,
+                                                            std::span<const double> u) const = 0;
+};
+
+/// The terms of one stage.
+struct Terms {
+  std::vector<std::shared_ptr<const Load>> loads;
+  std::vector<std::shared_ptr<const Stiffness>> stiffness;
+  std::vector<std::shared_ptr<const LocalTerm>> local;
+};
+
+}  // namespace ashlar::model
