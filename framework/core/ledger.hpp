@@ -8,7 +8,8 @@
 namespace ashlar::core {
 
 struct Cost {
-  std::string phase;   ///< read, check, mesh, assemble, order, factor, solve, contact, recover, write, picture …
+  std::string
+      phase;  ///< read, check, mesh, assemble, order, factor, solve, contact, recover, write, picture …
   std::string effect;  ///< elasticity, contact, gravity …; "" for none
   double wall = 0;     ///< s
   double cpu = 0;      ///< s, of the whole process

@@ -44,7 +44,8 @@ class Registry {
   using Opener = std::function<void(Registry&, const Module&)>;
 
   void add_schema(Schema schema, const std::string& module = {});
-  /// Adds parameters to a kind of the framework, such as "stage" or "joint".
+  /// Adds parameters to a kind of the framework, such as "stage" or "joint"; name "" means every entry of
+  /// the kind. Works before and after add_schema. Throws InputError if a schema has the key already.
   void extend(const std::string& kind, const std::string& name, std::vector<Parameter> parameters,
               const std::string& module);
   void add_effect(EffectEntry effect);
@@ -75,7 +76,14 @@ class Registry {
   const std::any& find_make(const std::string& kind, const std::string& name);
   void open(const std::string& module);
 
+  struct Extension {
+    std::string kind, name;
+    std::vector<Parameter> parameters;
+    std::string module;
+  };
+
   std::map<std::string, std::map<std::string, Entry>> entries_;
+  std::vector<Extension> extensions_;  ///< kept for schemas that come later
   std::vector<EffectEntry> effects_;
   std::vector<Module> modules_;
   Opener opener_;
@@ -85,8 +93,10 @@ class Registry {
 using RegisterModule = void (*)(Registry&);
 using ModuleVersion = int (*)();
 /// Put this once into a module: it defines both.
-#define ASHLAR_MODULE(registry)                                                                      \
-  extern "C" int ashlar_module_version() { return ::ashlar::core::module_interface_version; }        \
+#define ASHLAR_MODULE(registry)                      \
+  extern "C" int ashlar_module_version() {           \
+    return ::ashlar::core::module_interface_version; \
+  }                                                  \
   extern "C" void register_module(::ashlar::core::Registry& registry)
 
 /// Opens shared objects with dlopen: version first, then register_module. Throws InputError with the

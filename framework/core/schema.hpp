@@ -26,9 +26,15 @@ enum class Form : unsigned {
   function = 256,  ///< a Lua function
   table = 512,     ///< any table; whoever reads it checks it
 };
-constexpr unsigned operator|(Form a, Form b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }
-constexpr unsigned operator|(unsigned a, Form b) { return a | static_cast<unsigned>(b); }
-constexpr bool allows(unsigned forms, Form form) { return (forms & static_cast<unsigned>(form)) != 0; }
+constexpr unsigned operator|(Form a, Form b) {
+  return static_cast<unsigned>(a) | static_cast<unsigned>(b);
+}
+constexpr unsigned operator|(unsigned a, Form b) {
+  return a | static_cast<unsigned>(b);
+}
+constexpr bool allows(unsigned forms, Form form) {
+  return (forms & static_cast<unsigned>(form)) != 0;
+}
 
 /// An interval; an open end excludes the limit itself.
 struct Range {
@@ -43,18 +49,19 @@ struct Range {
 struct Schema;
 
 struct Parameter {
-  std::string key;                     ///< "" for the positional items of a list-like kind
+  std::string key;  ///< "" for the positional items of a list-like kind
   unsigned forms = 0;
-  Dimension dimension;                 ///< of numbers, points, and what functions return
+  Dimension dimension;  ///< of numbers, points, and what functions return
   bool required = false;
-  std::optional<Value> fallback;       ///< the default; absent: optional without a default
-  Range range;                         ///< outside: an error
-  Range usual;                         ///< outside: a warning ("did you forget a unit?")
-  std::vector<std::string> choices;    ///< allowed words, if not empty
-  std::string refers;                  ///< the word (or the map's keys) must name an "edge", "region", "joint", "lip" or "stage" of the scene
-  std::string kind;                    ///< for objects (and objects inside lists and maps): the registered kind
+  std::optional<Value> fallback;     ///< the default; absent: optional without a default
+  Range range;                       ///< outside: an error
+  Range usual;                       ///< outside: a warning ("did you forget a unit?")
+  std::vector<std::string> choices;  ///< allowed words, if not empty
+  std::string refers;  ///< the word (or the map's keys) names an "edge", "region", "joint", "lip" or "stage"
+                       ///< of the scene
+  std::string kind;    ///< for objects (and objects inside lists and maps): the registered kind
   std::shared_ptr<const Parameter> each;  ///< for lists and maps: what every item must be
-  bool numerical = false;              ///< a numerical knob: its default is logged
+  bool numerical = false;                 ///< a numerical knob: its default is logged
   std::string doc;
 };
 
@@ -74,11 +81,12 @@ class Settings {
  public:
   struct Entry {
     std::string key;
-    Value value;             ///< nothing if it was not said and has no default
-    bool said = false;       ///< false: the default
+    Value value;        ///< nothing if it was not said and has no default
+    bool said = false;  ///< false: the default
     Dimension dimension;
-    std::shared_ptr<const Settings> object;                       ///< for objects: their own settings
-    std::vector<std::pair<std::string, Settings>> objects;        ///< objects inside a list (names "1", "2" …) or map
+    std::shared_ptr<const Settings> object;  ///< for objects: their own settings
+    std::vector<std::pair<std::string, Settings>>
+        objects;  ///< objects inside a list (names "1", "2" …) or map
   };
 
   std::string kind;
@@ -87,12 +95,13 @@ class Settings {
   std::vector<Entry> entries;
   std::vector<Value> items;  ///< positional items
 
-  bool has(const std::string& key) const;   ///< it was said, or has a default
+  bool has(const std::string& key) const;  ///< it was said, or has a default
   bool said(const std::string& key) const;
   const Entry& entry(const std::string& key) const;  ///< asserts that the schema has this key
   const Value& value(const std::string& key) const;
   double number(const std::string& key) const;
-  double number(const std::string& key, double otherwise) const;  ///< if nothing was said and no default exists
+  double number(const std::string& key,
+                double otherwise) const;  ///< if nothing was said and no default exists
   int integer(const std::string& key) const;
   bool flag(const std::string& key) const;
   std::string text(const std::string& key) const;
@@ -107,10 +116,17 @@ class Settings {
 Settings check(const Value& value, const Schema& schema, const Registry& registry, Mistakes& mistakes);
 
 /// Numbers of a point-like value {x, y}; reports to `mistakes` and returns nothing if it is not one.
-std::optional<std::pair<double, double>> read_point(const Value& value, Dimension dimension, Mistakes& mistakes);
+std::optional<std::pair<double, double>> read_point(const Value& value, Dimension dimension,
+                                                    Mistakes& mistakes);
 
 /// One number of the given dimension; reports to `mistakes` and returns nothing if it is not one.
 std::optional<double> read_number(const Value& value, Dimension dimension, Mistakes& mistakes);
+
+/// "a number (Pa) or a function": the forms a parameter takes.
+std::string forms_text(const Parameter& parameter);
+
+/// "above 0 Pa and at most 10 GPa"; "" if unbounded.
+std::string to_string(const Range& range, Dimension dimension);
 
 /// What `ashlar describe` prints for a schema.
 std::string describe(const Schema& schema);
