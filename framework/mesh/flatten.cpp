@@ -143,7 +143,7 @@ class Flattener {
     }
     const auto [i, j] = geometry::first_crossing(points);
     if (i >= 0) {
-      report_crossing(ring, owner[i], owner[j], points[i], points[(i + 1) % points.size()]);
+      report_crossing(ring, owner[i], owner[j]);
       return false;
     }
     if (std::abs(geometry::signed_area(points)) > touch * touch * result_.length * result_.length)
@@ -152,16 +152,16 @@ class Flattener {
     return false;
   }
 
-  void report_crossing(const std::vector<ShapeEdge>& ring, std::size_t i, std::size_t j, Point from,
-                       Point to) {
+  void report_crossing(const std::vector<ShapeEdge>& ring, std::size_t i, std::size_t j) {
     auto label = [&](std::size_t k) {
       return "edge " + std::to_string(k + 1) + (ring[k].name.empty() ? "" : " '" + ring[k].name + "'") +
              " from " + to_text(ring[k].start);
     };
-    if (from == to || ring[i].start == ring[(i + 1) % ring.size()].start) {
-      mistakes_.add(place(ring[i].place),
-                    "region '" + region_name() + "' has an edge of no length at " + to_text(from),
-                    "a ring closes itself: do not repeat its first corner");
+    for (const std::size_t k : {i, j}) {
+      if (ring[k].arc || ring[k].start != ring[(k + 1) % ring.size()].start) continue;
+      mistakes_.add(place(ring[k].place),
+                    "region '" + region_name() + "' has an edge of no length at " + to_text(ring[k].start),
+                    "a ring closes itself: do not repeat a corner");
       return;
     }
     mistakes_.add(place(ring[i].place),
