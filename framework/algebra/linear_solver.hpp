@@ -10,6 +10,7 @@
 #include <Eigen/Dense>
 
 #include "algebra/sparse.hpp"
+#include "core/schema.hpp"
 
 namespace ashlar::algebra {
 
@@ -49,6 +50,6 @@ class LinearSolver {
 };
 
 /// A module registers a solver as kind "solver" with this signature.
-using MakeSolver = std::unique_ptr<LinearSolver>();
+using MakeSolver = std::unique_ptr<LinearSolver>(const core::Settings& settings);
 
 }  // namespace ashlar::algebra

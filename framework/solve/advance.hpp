@@ -1,0 +1,35 @@
+#pragma once
+// One load step: from the committed state to equilibrium under given loads and prescribed displacements.
+
+#include "solve/bulk.hpp"
+#include "solve/local.hpp"
+
+namespace ashlar::solve {
+
+/// What acts at the end of a step.
+struct StepTarget {
+  std::span<const double> load;        ///< external force by dof [N]
+  std::span<const double> prescribed;  ///< displacement of held dofs [m]; others ignored
+};
+
+struct StepReport {
+  bool converged = false;
+  std::string reason;
+  double residual = 0;        ///< ‖forces out of balance in free dofs‖∞ over the largest nodal force
+  double backward_error = 0;  ///< of the linear solve: ‖r‖∞ / (‖K‖∞ ‖u‖∞ + ‖f‖∞)
+  std::vector<model::Iteration> iterations;
+};
+
+/// Index of the displacement in the state: added first.
+constexpr fields::State::Id displacement = 0;
+
+/// Brings the trial state to equilibrium. Linear stages take one solve (and one of refinement if its backward
+/// error asks for it).
+StepReport advance(const Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
+                   const StepTarget& target, fields::State& state);
+
+/// force = K u + c(u) − load over all dofs at the trial state: zero in free dofs, reactions in held ones.
+std::vector<double> out_of_balance(const Bulk& bulk, const LocalTerms& local, std::span<const double> load,
+                                   const fields::State& state);
+
+}  // namespace ashlar::solve

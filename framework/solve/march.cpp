@@ -1,0 +1,195 @@
+#include "solve/march.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/ledger.hpp"
+#include "core/log.hpp"
+#include "solve/advance.hpp"
+#include "solve/build.hpp"
+#include "solve/stage_results.hpp"
+
+namespace ashlar::solve {
+
+namespace {
+
+// Halving a stage this often makes steps of 1/64; a contact that still does not settle will not.
+constexpr int most_cuts = 6;
+
+/// Everything of one stage that can be made before anything is solved.
+struct Prepared {
+  model::Constraints constraints;
+  model::Terms terms;
+  std::vector<double> load;
+};
+
+/// Where a stage ended: what its children start from.
+struct Ended {
+  fields::State state;
+  std::vector<double> load;
+};
+
+class March {
+ public:
+  March(const MarchInput& input, Observer& observer) : in_(input), observer_(observer) {
+    state_.add("displacement", in_.model.dofs.size());
+  }
+
+  model::RunResult run() {
+    prepare();
+    model::RunResult result;
+    for (std::size_t s = 0; s < in_.scene.stages.size(); ++s) {
+      observer_.stage_begins(in_.scene.stages[s].name, static_cast<int>(s) + 1,
+                             static_cast<int>(in_.scene.stages.size()));
+      result.stages.push_back(run_stage(s));
+      if (!result.stages.back().converged) {
+        result.converged = false;
+        return result;
+      }
+      observer_.stage_ends(result.stages.back());
+    }
+    return result;
+  }
+
+ private:
+  void prepare() {
+    core::Mistakes mistakes;
+    for (std::size_t s = 0; s < in_.scene.stages.size(); ++s) {
+      const model::StageData& stage = in_.scene.stages[s];
+      Prepared& ready = prepared_.emplace_back();
+      ready.constraints = build_constraints(in_.model, stage, mistakes);
+      if (mistakes.empty()) check_support(in_.model, in_.scene, stage, ready.constraints, mistakes);
+      for (const model::Call& call : in_.plan.stages[s].calls) {
+        const auto timing = core::ledger().time("prepare", call.effect);
+        in_.effects.at(call.effect)->contribute({in_.scene, stage, in_.model, state_, mistakes}, ready.terms);
+      }
+      ready.load.assign(in_.model.dofs.size(), 0);
+      for (const auto& load : ready.terms.loads) load->add_force(ready.load);
+    }
+    mistakes.throw_if_any();
+  }
+
+  /// The state and load that stage `s` starts from.
+  Ended start_of(std::size_t s) const {
+    const int parent = in_.scene.stages[s].parent;
+    if (parent < 0) return {state_, std::vector<double>(in_.model.dofs.size())};
+    return ended_[parent];
+  }
+
+  const Bulk& bulk_for(const Prepared& ready, const LocalTerms& local, model::StageResult& result) {
+    result.factored = !bulk_ || !bulk_->serves(ready.terms.stiffness, ready.constraints, local.touched());
+    if (result.factored) {
+      bulk_.reset();  // frees the old factor first
+      const auto make = in_.registry.make<algebra::MakeSolver>("solver", in_.scene.solver.name);
+      bulk_.emplace(in_.model, ready.terms.stiffness, ready.constraints, local.touched(),
+                    make(in_.scene.solver));
+    }
+    result.unknowns = ready.constraints.unknowns();
+    result.kept = static_cast<Index>(bulk_->kept().size());
+    result.solver = bulk_->report().ordering;
+    return *bulk_;
+  }
+
+  model::StageResult run_stage(std::size_t s) {
+    const Prepared& ready = prepared_[s];
+    model::StageResult result;
+    result.name = in_.scene.stages[s].name;
+    for (const model::Call& call : in_.plan.stages[s].calls) result.effects.push_back(call.effect);
+    const LocalTerms local(ready.terms.local, ready.constraints);
+    const Bulk& bulk = bulk_for(ready, local, result);
+    if (!bulk.report().done) {
+      result.converged = false;
+      result.reason = bulk.report().reason;
+      return result;
+    }
+    const Ended start = start_of(s);
+    state_ = start.state;
+    state_.revert();
+    if (!step_through(bulk, local, ready, start, result)) return result;
+    finish(s, bulk, local, result);
+    return result;
+  }
+
+  /// Load steps from the start to the stage's end: one if it converges, else halved and grown again.
+  bool step_through(const Bulk& bulk, const LocalTerms& local, const Prepared& ready, const Ended& start,
+                    model::StageResult& result) {
+    const auto from = start.state.committed(displacement);
+    double reached = 0, size = 1;
+    int step = 1;
+    std::vector<double> load(ready.load.size()), prescribed(ready.load.size());
+    while (reached < 1) {
+      const double to = std::min(1.0, reached + size);
+      for (std::size_t dof = 0; dof < load.size(); ++dof) {
+        load[dof] = to == 1 ? ready.load[dof] : start.load[dof] + to * (ready.load[dof] - start.load[dof]);
+        const double end = ready.constraints.value[dof];
+        prescribed[dof] = to == 1 ? end : from[dof] + to * (end - from[dof]);
+      }
+      const StepReport report = advance(bulk, local, ready.constraints, {load, prescribed}, state_);
+      for (model::Iteration row : report.iterations) {
+        row.step = step;
+        observer_.iterated(row);
+        result.iterations.push_back(std::move(row));
+      }
+      result.backward_error = report.backward_error;
+      if (report.converged) {
+        state_.commit();
+        reached = to;
+        size = std::min(1.0 - reached, 2 * size);
+        ++step;
+        continue;
+      }
+      state_.revert();
+      size /= 2;
+      if (local.empty() || size < std::ldexp(1.0, -most_cuts)) {
+        result.converged = false;
+        result.reason = report.reason;
+        if (reached > 0)
+          result.reason +=
+              " (reached " + std::to_string(static_cast<int>(100 * reached)) + " % of the stage)";
+        return false;
+      }
+      core::log().info("stage '" + result.name + "': " + report.reason + "; trying a step of half the size");
+    }
+    return true;
+  }
+
+  void finish(std::size_t s, const Bulk& bulk, const LocalTerms& local, model::StageResult& result) {
+    const auto timing = core::ledger().time("recover");
+    const Prepared& ready = prepared_[s];
+    for (const auto& term : ready.terms.stiffness) term->add_results(state_, result);
+    for (const auto& term : ready.terms.local) term->add_results(state_, result);
+    for (const auto& term : ready.terms.loads) term->add_results(state_, result);
+    const std::vector<double> forces = out_of_balance(bulk, local, ready.load, state_);
+    result.balance = balance(in_.model, in_.scene.stages[s], {ready.terms, ready.constraints, forces});
+    add_probes(in_.scene, in_.model, result);
+    add_extremes(in_.model, result);
+    ended_.push_back({state_, ready.load});
+    drop_unneeded(s);
+  }
+
+  /// Frees the states that no later stage starts from.
+  void drop_unneeded(std::size_t s) {
+    for (std::size_t e = 0; e < ended_.size(); ++e) {
+      bool needed = false;
+      for (std::size_t later = s + 1; later < in_.scene.stages.size(); ++later)
+        needed |= in_.scene.stages[later].parent == static_cast<int>(e);
+      if (!needed) ended_[e] = {};
+    }
+  }
+
+  const MarchInput& in_;
+  Observer& observer_;
+  fields::State state_;
+  std::vector<Prepared> prepared_;
+  std::vector<Ended> ended_;
+  std::optional<Bulk> bulk_;
+};
+
+}  // namespace
+
+model::RunResult march(const MarchInput& input, Observer& observer) {
+  return March(input, observer).run();
+}
+
+}  // namespace ashlar::solve

@@ -1,0 +1,137 @@
+#include "solve/stage_results.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/polygon.hpp"
+
+namespace ashlar::solve {
+
+using geometry::Index;
+using geometry::Point;
+using model::FieldResult;
+
+namespace {
+
+/// Adds a nodal force at a dof; only dofs of points have a place and thus a moment.
+void add_force(const model::Model& model, Index dof, double force, model::Resultant& sum) {
+  const int width = model.dofs.field().width;
+  const Index point = dof / width;
+  const bool along_x = dof % width == 0;
+  (along_x ? sum.x : sum.y) += force;
+  if (point < model.mesh.point_count()) {
+    const Point at = model.mesh.points[point];
+    sum.moment += along_x ? -at.y * force : at.x * force;
+  }
+}
+
+void add(model::Resultant& sum, const model::Resultant& part) {
+  sum.x += part.x;
+  sum.y += part.y;
+  sum.moment += part.moment;
+}
+
+/// Which support holds each point's component; the first one that names it.
+std::vector<int> supports_by_dof(const model::Model& model, const model::StageData& stage) {
+  std::vector<int> support(model.dofs.size(), -1);
+  const auto claim = [&](Index point, std::size_t s) {
+    for (int c = 0; c < 2; ++c) {
+      int& owner = support[model.dofs.of_point(point) + c];
+      if (stage.supports[s].move[c] && owner < 0) owner = static_cast<int>(s);
+    }
+  };
+  for (std::size_t s = 0; s < stage.supports.size(); ++s) {
+    const auto group = model.mesh.edge_groups.find(stage.supports[s].edge);
+    if (group == model.mesh.edge_groups.end()) continue;
+    for (const Index edge : group->second)
+      for (const Index point : model.mesh.edge_points[edge]) claim(point, s);
+  }
+  return support;
+}
+
+/// "ux" for the displacement; "sxx" for nodal stresses, "s1" for nodal principal stresses.
+std::string component_name(const FieldResult& field, int component) {
+  const std::string& part = field.components[component];
+  if (field.name == "displacement") return "u" + part;
+  if (field.name.starts_with("stress") || field.name.starts_with("principal_stress")) return "s" + part;
+  if (field.name.starts_with("strain")) return "e" + part;
+  return field.width == 1 ? field.name : field.name + "_" + part;
+}
+
+}  // namespace
+
+model::Balance balance(const model::Model& model, const model::StageData& stage, const StageForces& forces) {
+  model::Balance sums;
+  double absolute = 0;
+  for (const auto& load : forces.terms.loads) {
+    std::vector<double> force(model.dofs.size());
+    load->add_force(force);
+    model::Resultant resultant;
+    for (Index dof = 0; dof < model.dofs.size(); ++dof) {
+      if (force[dof] == 0) continue;
+      add_force(model, dof, force[dof], resultant);
+      absolute += std::abs(force[dof]);
+    }
+    add(sums.load, resultant);
+    sums.loads.emplace_back(load->effect(), resultant);
+  }
+  const std::vector<int> support = supports_by_dof(model, stage);
+  std::vector<model::Resultant> reactions(stage.supports.size() + 1);
+  double reaction_absolute = 0;
+  for (Index dof = 0; dof < model.dofs.size(); ++dof) {
+    if (!forces.constraints.held[dof]) continue;
+    const int owner = support[dof] < 0 ? static_cast<int>(stage.supports.size()) : support[dof];
+    add_force(model, dof, forces.out_of_balance[dof], reactions[owner]);
+    reaction_absolute += std::abs(forces.out_of_balance[dof]);
+  }
+  for (std::size_t s = 0; s < reactions.size(); ++s) {
+    const model::Resultant& each = reactions[s];
+    if (each.x == 0 && each.y == 0) continue;
+    add(sums.reaction, each);
+    sums.reactions.emplace_back(s < stage.supports.size() ? stage.supports[s].name : "points", each);
+  }
+  const double scale = std::max({absolute, reaction_absolute, 1e-300});
+  const double moment = std::abs(sums.load.moment + sums.reaction.moment) / model.length;
+  sums.relative_error =
+      std::max(std::hypot(sums.load.x + sums.reaction.x, sums.load.y + sums.reaction.y), moment) / scale;
+  return sums;
+}
+
+void add_probes(const model::Scene& scene, const model::Model& model, model::StageResult& result) {
+  for (const auto& probe : scene.probes) {
+    const Index point = mesh::nearest_point(model.mesh, probe.at, probe.lip);
+    model::ProbeResult found{probe.name, probe.at, model.mesh.points[point], {}};
+    for (const FieldResult& field : result.fields) {
+      if (field.on != FieldResult::On::points) continue;
+      for (int c = 0; c < field.width; ++c)
+        found.values[component_name(field, c)] =
+            field.values[static_cast<std::size_t>(point) * field.width + c];
+    }
+    result.probes.push_back(std::move(found));
+  }
+}
+
+void add_extremes(const model::Model& model, model::StageResult& result) {
+  std::vector<Point> corners;
+  const auto place = [&](const FieldResult& field, std::size_t entity) {
+    if (field.on == FieldResult::On::points) return model.mesh.points[entity];
+    return geometry::centroid(model.mesh.corners(static_cast<Index>(entity), corners));
+  };
+  for (const FieldResult& field : result.fields) {
+    for (int c = 0; c < field.width; ++c) {
+      const std::size_t count = field.values.size() / field.width;
+      std::size_t least = 0, greatest = 0;
+      const auto value = [&](std::size_t i) { return field.values[i * field.width + c]; };
+      for (std::size_t i = 1; i < count; ++i) {
+        if (value(i) < value(least)) least = i;
+        if (value(i) > value(greatest)) greatest = i;
+      }
+      result.extremes.push_back({field.on == FieldResult::On::points ? component_name(field, c)
+                                                                     : component_name(field, c) + " (cells)",
+                                 field.unit, value(least), value(greatest), place(field, least),
+                                 place(field, greatest)});
+    }
+  }
+}
+
+}  // namespace ashlar::solve

@@ -1,0 +1,25 @@
+#pragma once
+// What a committed stage is asked for: fields, balance of forces, probes, extreme values.
+
+#include "model/results.hpp"
+#include "model/scene.hpp"
+
+namespace ashlar::solve {
+
+/// The forces of a stage at its end.
+struct StageForces {
+  const model::Terms& terms;
+  const model::Constraints& constraints;
+  std::span<const double> out_of_balance;  ///< by dof: reactions in held dofs [N]
+};
+
+/// Sums loads by effect and reactions by support.
+model::Balance balance(const model::Model& model, const model::StageData& stage, const StageForces& forces);
+
+/// Values of the point fields in `result` at the scene's probes.
+void add_probes(const model::Scene& scene, const model::Model& model, model::StageResult& result);
+
+/// Least and greatest value of every component of every field in `result`, with their places.
+void add_extremes(const model::Model& model, model::StageResult& result);
+
+}  // namespace ashlar::solve
