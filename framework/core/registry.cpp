@@ -52,6 +52,7 @@ void Registry::extend(const std::string& kind, const std::string& name, std::vec
 }
 
 void Registry::add_effect(EffectEntry effect) {
+  add_schema(Schema{"effect", effect.name, {}, effect.doc, {}}, effect.module);
   effects_.push_back(std::move(effect));
 }
 

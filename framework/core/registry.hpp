@@ -48,6 +48,7 @@ class Registry {
   /// the kind. Works before and after add_schema. Throws InputError if a schema has the key already.
   void extend(const std::string& kind, const std::string& name, std::vector<Parameter> parameters,
               const std::string& module);
+  /// Also makes the entry of kind "effect" that its maker goes to.
   void add_effect(EffectEntry effect);
   void add_module(Module module);
   void set_opener(Opener opener) { opener_ = std::move(opener); }
