@@ -63,7 +63,8 @@ void DenseSolver::expand(const std::vector<double>& work, const Eigen::VectorXd&
   out(kept_) = kept_values;
   if (inner_.empty()) return;
   const Eigen::VectorXd right = Eigen::VectorXd(all(inner_)) - coupling_ * kept_values;
-  out(inner_) = factor_.solve(right);
+  const Eigen::VectorXd inner = factor_.solve(right);
+  out(inner_) = inner;
 }
 
 }  // namespace ashlar::testing

@@ -1,0 +1,188 @@
+#include "solve/march.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "toy.hpp"
+
+using toy::World;
+
+namespace {
+
+// Dofs of the square: point 2 is the upper right corner.
+constexpr toy::Index x2 = 4, y2 = 5, y3 = 7;
+
+/// Two stages on a fixed bottom edge: a push of 10 N, then of 30 N at the upper right corner.
+World pushed_square() {
+  World world;
+  for (const auto* name : {"first", "second"}) {
+    auto& stage = world.stage(name, static_cast<int>(world.scene.stages.size()) - 1);
+    stage.supports = {World::hold("square.bottom", 0, 0)};
+  }
+  return world;
+}
+
+}  // namespace
+
+TEST(March, SolvesEachStageAndFactorsOnce) {
+  World world = pushed_square();
+  world.contribute([&](const auto& context, auto& terms) {
+    terms.stiffness.push_back(world.springs);
+    terms.loads.push_back(std::make_shared<toy::PointLoad>(x2, context.stage.name == "first" ? 10 : 30));
+  });
+  const auto result = world.run();
+  ASSERT_TRUE(result.converged);
+  EXPECT_EQ(world.solvers_made, 1);
+  EXPECT_TRUE(result.stages[0].factored);
+  EXPECT_FALSE(result.stages[1].factored);
+  // The upper four dofs in closed form: K u = f with the bottom held.
+  const Eigen::Matrix4d k = world.springs->matrix().bottomRightCorner<4, 4>();
+  const Eigen::Vector4d u = k.llt().solve(Eigen::Vector4d(10, 0, 0, 0));
+  EXPECT_NEAR(World::u(result, 0, x2), u[0], 1e-14 * u.norm());
+  EXPECT_NEAR(World::u(result, 1, x2), 3 * u[0], 1e-14 * u.norm());
+  EXPECT_LT(result.stages[1].balance.relative_error, 1e-14);
+  EXPECT_NEAR(result.stages[1].balance.reaction.x, -30, 1e-12);
+  // Moment of the push about the origin: −y f.
+  EXPECT_NEAR(result.stages[1].balance.load.moment, -30, 1e-12);
+}
+
+TEST(March, FactorsAgainWhenSupportsChange) {
+  World world = pushed_square();
+  world.scene.stages[1].supports.push_back(World::hold("square.right", 0, std::nullopt));
+  world.contribute([&](const auto&, auto& terms) {
+    terms.stiffness.push_back(world.springs);
+    terms.loads.push_back(std::make_shared<toy::PointLoad>(y3, -5));
+  });
+  const auto result = world.run();
+  EXPECT_EQ(world.solvers_made, 2);
+  EXPECT_TRUE(result.stages[1].factored);
+}
+
+TEST(March, MovesPrescribedDofs) {
+  World world;
+  auto& stage = world.stage("pull", -1);
+  stage.supports = {World::hold("square.bottom", 0, 0), World::hold("square.top", std::nullopt, 1e-3)};
+  world.contribute([&](const auto&, auto& terms) { terms.stiffness.push_back(world.springs); });
+  const auto result = world.run();
+  ASSERT_TRUE(result.converged);
+  EXPECT_EQ(World::u(result, 0, y2), 1e-3);
+  EXPECT_LT(result.stages[0].balance.relative_error, 1e-14);
+  ASSERT_EQ(result.stages[0].balance.reactions.size(), 2u);
+  EXPECT_NEAR(result.stages[0].balance.reactions[0].second.y, -result.stages[0].balance.reactions[1].second.y,
+              1e-9);
+}
+
+TEST(March, BranchesFromANamedStage) {
+  World world = pushed_square();
+  auto& branch = world.stage("branch", 0);
+  branch.supports = {World::hold("square.bottom", 0, 0)};
+  // A latch: once it was pushed beyond 2e-5 m it stays closed. The branch must not know of the second stage.
+  world.contribute([&](const auto& context, auto& terms) {
+    terms.stiffness.push_back(world.springs);
+    terms.local.push_back(std::make_shared<toy::Stop>(
+        context.state, x2, 1e6, [](double u, bool closed) { return closed || u > 2e-5; }));
+    terms.loads.push_back(std::make_shared<toy::PointLoad>(x2, context.stage.name == "second" ? 90 : 10));
+  });
+  const auto result = world.run();
+  ASSERT_TRUE(result.converged);
+  EXPECT_GT(World::u(result, 1, x2), 2e-5);
+  EXPECT_EQ(World::u(result, 2, x2), World::u(result, 0, x2));
+}
+
+TEST(March, ContactHoldsABodyThatNothingElseHolds) {
+  World world;
+  auto& stage = world.stage("rest", -1);
+  stage.supports = {World::hold("square.left", 0, std::nullopt)};  // free to slide along y
+  world.contribute([&](const auto& context, auto& terms) {
+    terms.stiffness.push_back(world.springs);
+    for (const toy::Index dof : {1, 3})
+      terms.local.push_back(
+          std::make_shared<toy::Stop>(context.state, dof, 1e7, [](double u, bool) { return u <= 0; }));
+    terms.loads.push_back(std::make_shared<toy::PointLoad>(y2, -100));
+    terms.loads.push_back(std::make_shared<toy::PointLoad>(y3, -100));
+  });
+  // The mesh must know that a joint touches the body, else missing support is a mistake of the script.
+  world.model.mesh.joints.push_back({"gap", {"left", "right"}, {{{{0, 0, 0, 1, 0, 1}}, {}}}});
+  const auto result = world.run();
+  ASSERT_TRUE(result.converged) << result.stages[0].reason;
+  EXPECT_NEAR(World::u(result, 0, 1), -1e-5, 1e-16);
+  EXPECT_NEAR(World::u(result, 0, 3), -1e-5, 1e-16);
+}
+
+TEST(March, NamesACycleAndStops) {
+  World world = pushed_square();
+  world.contribute([&](const auto& context, auto& terms) {
+    terms.stiffness.push_back(world.springs);
+    terms.loads.push_back(std::make_shared<toy::PointLoad>(x2, 10));
+    terms.local.push_back(
+        std::make_shared<toy::Stop>(context.state, x2, 1e6, [](double, bool closed) { return !closed; }));
+  });
+  const auto result = world.run();
+  EXPECT_FALSE(result.converged);
+  ASSERT_EQ(result.stages.size(), 1u);
+  EXPECT_NE(result.stages[0].reason.find("stop at dof 4"), std::string::npos) << result.stages[0].reason;
+}
+
+TEST(March, KeepsTheStagesBeforeTheOneThatFails) {
+  World world = pushed_square();
+  world.contribute([&](const auto& context, auto& terms) {
+    terms.stiffness.push_back(world.springs);
+    terms.loads.push_back(std::make_shared<toy::PointLoad>(x2, 10));
+    if (context.stage.name == "second")
+      terms.local.push_back(
+          std::make_shared<toy::Stop>(context.state, x2, 1e6, [](double, bool closed) { return !closed; }));
+  });
+  const auto result = world.run();
+  EXPECT_FALSE(result.converged);
+  ASSERT_EQ(result.stages.size(), 2u);
+  EXPECT_TRUE(result.stages[0].converged);
+  EXPECT_FALSE(result.stages[1].converged);
+}
+
+TEST(March, CutsTheStepWhenOnlySmallStepsSettle) {
+  World world = pushed_square();
+  world.scene.stages.pop_back();
+  world.plan.stages.pop_back();
+  // Closes for good once passed, but flips without end where it is thrown far beyond in one step.
+  world.contribute([&](const auto& context, auto& terms) {
+    terms.stiffness.push_back(world.springs);
+    terms.loads.push_back(std::make_shared<toy::PointLoad>(x2, 100));
+    terms.local.push_back(std::make_shared<toy::Stop>(
+        context.state, x2, 1e6, [](double u, bool closed) { return closed ? u > 3e-5 : u > 2e-5; }));
+  });
+  const auto result = world.run();
+  for (const auto& row : result.stages[0].iterations) EXPECT_GE(row.step, 1);
+  EXPECT_TRUE(result.converged) << result.stages[0].reason;
+}
+
+TEST(March, SaysWhatCanMoveWhereNothingHolds) {
+  World world;
+  auto& stage = world.stage("loose", -1);
+  stage.supports = {World::hold("square.bottom", std::nullopt, 0)};
+  world.contribute([&](const auto&, auto& terms) { terms.stiffness.push_back(world.springs); });
+  try {
+    world.run();
+    FAIL() << "a sliding body was solved";
+  } catch (const ashlar::core::InputError& error) {
+    ASSERT_EQ(error.mistakes().size(), 1u);
+    EXPECT_NE(error.mistakes()[0].what.find("slide along x"), std::string::npos) << error.mistakes()[0].what;
+    EXPECT_EQ(error.mistakes()[0].what.find("turn"), std::string::npos) << error.mistakes()[0].what;
+  }
+}
+
+TEST(March, ReportsAMissingEdgeAndAClash) {
+  World world;
+  auto& stage = world.stage("bad", -1);
+  stage.supports = {World::hold("square.botom", 0, 0), World::hold("square.bottom", 0, 0),
+                    World::hold("square.left", 1e-3, std::nullopt)};
+  world.contribute([&](const auto&, auto& terms) { terms.stiffness.push_back(world.springs); });
+  try {
+    world.run();
+    FAIL();
+  } catch (const ashlar::core::InputError& error) {
+    ASSERT_EQ(error.mistakes().size(), 2u);
+    EXPECT_NE(error.mistakes()[0].advice.find("square.bottom"), std::string::npos);
+    EXPECT_NE(error.mistakes()[1].what.find("two different displacements"), std::string::npos);
+  }
+}

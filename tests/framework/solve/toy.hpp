@@ -1,0 +1,187 @@
+#pragma once
+// A toy scene for the march: one quadrilateral's corner points with springs, and contact-like terms on single
+// dofs.
+
+#include "model/effect.hpp"
+#include "solve/march.hpp"
+#include "testing/dense_solver.hpp"
+
+namespace toy {
+
+using namespace ashlar;
+using geometry::Index;
+
+/// The unit square as one cell, edges named bottom, right, top, left.
+inline mesh::Mesh square() {
+  mesh::Mesh mesh;
+  mesh.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const std::array<Index, 4> ring{0, 1, 2, 3};
+  mesh.cell_points.append(ring);
+  mesh.cell_edges.append(ring);
+  mesh.edge_points = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  mesh.edge_cells = {{0, -1}, {0, -1}, {0, -1}, {0, -1}};
+  mesh.regions = {"square"};
+  mesh.cell_region = {0};
+  mesh.edge_groups = {
+      {"square.bottom", {0}}, {"square.right", {1}}, {"square.top", {2}}, {"square.left", {3}}};
+  return mesh;
+}
+
+inline model::Model square_model() {
+  model::Model model;
+  model.mesh = square();
+  model.dofs = fields::DofMap(model.mesh, {"displacement", "m", 2, 1, 0, 0});
+  model.length = std::sqrt(2.0);
+  return model;
+}
+
+/// Springs between all pairs of points, of stiffness k along their lines: rigid motions cost nothing.
+class Springs : public model::Stiffness {
+ public:
+  Springs(const model::Model& model, double stiffness) : Stiffness("springs"), model_(model) {
+    std::vector<Index> dofs(8);
+    for (Index i = 0; i < 8; ++i) dofs[i] = i;
+    groups_.append(dofs);
+    matrix_.setZero();
+    for (Index i = 0; i < 4; ++i)
+      for (Index j = 0; j < i; ++j) {
+        const geometry::Point d = model.mesh.points[i] - model.mesh.points[j];
+        const double length = geometry::norm(d);
+        Eigen::Matrix<double, 8, 1> b = Eigen::Matrix<double, 8, 1>::Zero();
+        b[2 * i] = d.x / length, b[2 * i + 1] = d.y / length;
+        b[2 * j] = -d.x / length, b[2 * j + 1] = -d.y / length;
+        matrix_ += stiffness * b * b.transpose();
+      }
+  }
+  const algebra::Adjacency& groups() const override { return groups_; }
+  void add_tangent(const algebra::ScatterMap& map, std::span<double> value) const override {
+    const auto where = map[0];
+    for (Index i = 0, at = 0; i < 8; ++i)
+      for (Index j = 0; j <= i; ++j, ++at)
+        if (where[at] >= 0) value[where[at]] += matrix_(i, j);
+  }
+  void add_internal_force(std::span<const double> u, std::span<double> force) const override {
+    Eigen::Map<Eigen::Matrix<double, 8, 1>>(force.data()) +=
+        matrix_ * Eigen::Map<const Eigen::Matrix<double, 8, 1>>(u.data());
+  }
+  void add_results(const fields::State& state, model::StageResult& result) const override {
+    const auto u = state.committed(0);
+    result.fields.push_back(
+        {"displacement", "m", model::FieldResult::On::points, 2, {"x", "y"}, {u.begin(), u.end()}});
+  }
+  const Eigen::Matrix<double, 8, 8>& matrix() const { return matrix_; }
+
+ private:
+  const model::Model& model_;
+  algebra::Adjacency groups_;
+  Eigen::Matrix<double, 8, 8> matrix_;
+};
+
+class PointLoad : public model::Load {
+ public:
+  PointLoad(Index dof, double force) : Load("push"), dof_(dof), force_(force) {}
+  void add_force(std::span<double> force) const override { force[dof_] += force_; }
+
+ private:
+  Index dof_;
+  double force_;
+};
+
+/// A stop below one dof: force k u while closed. How it chooses its status is up to `choose`.
+class Stop : public model::LocalTerm {
+ public:
+  using Choose = std::function<bool(double u, bool closed)>;
+  Stop(fields::State& state, Index dof, double stiffness, Choose choose)
+      : LocalTerm("stop"), dofs_{dof}, stiffness_(stiffness), choose_(std::move(choose)) {
+    status_ = state.add("stop.status." + std::to_string(dof), 1);
+  }
+  std::span<const Index> touched() const override { return dofs_; }
+  void add_local(const fields::State& state, std::span<const double> u, Eigen::Ref<Eigen::VectorXd> force,
+                 Eigen::Ref<Eigen::MatrixXd> tangent) const override {
+    if (state.trial(status_)[0] == 0) return;
+    force[0] += stiffness_ * u[0];
+    tangent(0, 0) += stiffness_;
+  }
+  int update_status(fields::State& state, std::span<const double> u) const override {
+    const bool was = state.trial(status_)[0] != 0;
+    const bool now = choose_(u[0], was);
+    state.trial(status_)[0] = now;
+    return was != now;
+  }
+  std::vector<std::int8_t> status(const fields::State& state) const override {
+    return {static_cast<std::int8_t>(state.trial(status_)[0])};
+  }
+  std::string point_name(std::size_t) const override { return "stop at dof " + std::to_string(dofs_[0]); }
+  std::vector<std::pair<std::string, double>> facts(const fields::State&,
+                                                    std::span<const double>) const override {
+    return {};
+  }
+
+ private:
+  std::array<Index, 1> dofs_;
+  double stiffness_;
+  Choose choose_;
+  fields::State::Id status_;
+};
+
+/// An effect from a lambda.
+class Made : public model::Effect {
+ public:
+  using Contribute = std::function<void(const model::StageContext&, model::Terms&)>;
+  explicit Made(Contribute contribute) : contribute_(std::move(contribute)) {}
+  void contribute(const model::StageContext& context, model::Terms& terms) override {
+    contribute_(context, terms);
+  }
+
+ private:
+  Contribute contribute_;
+};
+
+/// Stages that all call for the effect "toy", whose terms depend on the stage's name.
+struct World {
+  model::Scene scene;
+  model::Plan plan;
+  model::Model model = square_model();
+  core::Registry registry;
+  std::map<std::string, std::unique_ptr<model::Effect>> effects;
+  std::shared_ptr<Springs> springs = std::make_shared<Springs>(model, 1e6);
+  int solvers_made = 0;
+
+  World() {
+    scene.regions.push_back({"square", {}, {}, {}, {}});
+    scene.solver.name = "dense";
+    registry.add_schema({"solver", "dense", "", "", {}});
+    registry.add_make("solver", "dense", std::function<algebra::MakeSolver>([this](const core::Settings&) {
+                        ++solvers_made;
+                        return std::make_unique<ashlar::testing::DenseSolver>();
+                      }));
+  }
+  void contribute(Made::Contribute contribute) {
+    effects["toy"] = std::make_unique<Made>(std::move(contribute));
+  }
+  model::StageData& stage(const std::string& name, int parent) {
+    model::StageData stage;
+    stage.name = name;
+    stage.parent = parent;
+    scene.stages.push_back(stage);
+    plan.stages.push_back({name, {{"toy", "", {}, false}}});
+    return scene.stages.back();
+  }
+  static model::SupportData hold(const std::string& edge, std::optional<double> x, std::optional<double> y) {
+    model::SupportData support;
+    support.name = support.edge = edge;
+    if (x) support.move[0] = core::make_value(*x);
+    if (y) support.move[1] = core::make_value(*y);
+    return support;
+  }
+  model::RunResult run() {
+    solve::Observer observer;
+    return solve::march({scene, plan, model, registry, effects}, observer);
+  }
+  /// A displacement component of a stage's result.
+  static double u(const model::RunResult& result, std::size_t stage, Index dof) {
+    return result.stages.at(stage).fields.at(0).values.at(dof);
+  }
+};
+
+}  // namespace toy
