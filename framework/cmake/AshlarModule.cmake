@@ -8,8 +8,9 @@ function(ashlar_module)
   target_link_libraries(ashlar_module_${M_NAME} PUBLIC ashlar::framework ${M_LIBRARIES})
   target_include_directories(ashlar_module_${M_NAME} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/..")
 
-  add_library(ashlar_${M_NAME} MODULE)
-  target_link_libraries(ashlar_${M_NAME} PRIVATE "$<LINK_LIBRARY:WHOLE_ARCHIVE,ashlar_module_${M_NAME}>")
+  # The same objects: a module library needs sources of its own, and none may be dropped by the linker.
+  add_library(ashlar_${M_NAME} MODULE "$<TARGET_OBJECTS:ashlar_module_${M_NAME}>")
+  target_link_libraries(ashlar_${M_NAME} PRIVATE ashlar::framework ${M_LIBRARIES})
   set_target_properties(ashlar_${M_NAME} PROPERTIES PREFIX "" LINKER_LANGUAGE CXX
     LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/modules/${M_NAME}")
   configure_file(module.lua "${CMAKE_BINARY_DIR}/modules/${M_NAME}/module.lua" COPYONLY)
