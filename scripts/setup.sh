@@ -86,15 +86,20 @@ configure() {
   timed "Configuring $(basename "$folder")" cmake -S "$root" -B "$folder" -G Ninja "${wanted[@]}"
 }
 
-# compile FOLDER TARGET WHAT : says nothing when there is nothing to compile.
+# compile FOLDER TARGET WHAT : progress in tenths, everything that is no progress as it comes, and not a word
+# when there is nothing to do.
 compile() {
-  local plan
-  plan=$(ninja -C "$1" -n "$2" 2>/dev/null) || true
-  [[ $plan == *"no work to do"* ]] && return 0
-  say "Building $3"
   local from=$SECONDS
-  ninja -C "$1" "$2" || fail "the build failed"
-  echo "   done in $((SECONDS - from)) s"
+  ninja -C "$1" "$2" 2>&1 | awk -v what="$3" '
+    /^ninja: (Entering|no work)/ || /Re-checking globbed/ { next }
+    !begun++ { print "\n== Building " what; fflush() }
+    /^\[[0-9]+\/[0-9]+\] / {
+      split(substr($1, 2), n, "/"); tenth = int(10 * n[1] / n[2])
+      if (tenth > told) { print "   " 10 * tenth " %"; fflush(); told = tenth }
+      next
+    }
+    { print; fflush() }' || fail "the build failed"
+  ((SECONDS - from < 3)) || echo "   done in $((SECONDS - from)) s"
 }
 
 build_program() {

@@ -41,7 +41,7 @@ const Settings::Entry& Settings::entry(const std::string& key) const {
   for (const Entry& entry : entries)
     if (entry.key == key) return entry;
   assert(!"the schema has no such key");
-  static const Entry missing;
+  static const Entry missing{};
   return missing;
 }
 

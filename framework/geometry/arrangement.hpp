@@ -18,9 +18,9 @@ struct InputSegment {
 
 struct Arrangement {
   struct Segment {
-    Index from = -1, to = -1;      ///< points
-    Index left = -1, right = -1;   ///< faces; face 0 is the unbounded one
-    std::vector<Index> sources;    ///< input segments it lies on; negative −1−s: it runs against input s
+    Index from = -1, to = -1;     ///< points
+    Index left = -1, right = -1;  ///< faces; face 0 is the unbounded one
+    std::vector<Index> sources;   ///< input segments it lies on; negative −1−s: it runs against input s
   };
   /// A face: its outer ring (ccw, empty for face 0) and the rings inside it (holes cw; antennas go out and
   /// back). Ring entries are segment numbers, −1−s if traversed from `to` to `from`.

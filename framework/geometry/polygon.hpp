@@ -27,7 +27,8 @@ bool contains(std::span<const Point> ring, Point p);
 bool is_simple(std::span<const Point> ring);
 /// Indices (i, j) of the first two edges that cross or touch; {-1,-1} if the ring is simple.
 std::pair<int, int> first_crossing(std::span<const Point> ring);
-/// Distance from p to the segment a–b; `parameter` (if given) receives the nearest point's position in [0, 1].
+/// Distance from p to the segment a–b; `parameter` (if given) receives the nearest point's position in [0,
+/// 1].
 double distance_to_segment(Point p, Point a, Point b, double* parameter = nullptr);
 /// Triangles (corner indices) of a simple polygon by ear clipping; skips zero-area ears of collinear corners.
 std::vector<std::array<int, 3>> triangulate(std::span<const Point> ring);

@@ -22,9 +22,10 @@ struct RegionShape {
 /// A joint along a polyline, or along the common border of two regions.
 struct JointLine {
   std::string name;
-  std::vector<Point> path;                       ///< empty for a joint between regions
-  std::vector<std::string> between;              ///< two regions, or empty
-  std::array<std::string, 2> sides = {"left", "right"};  ///< lip names: left of the path's direction, then right;
+  std::vector<Point> path;           ///< empty for a joint between regions
+  std::vector<std::string> between;  ///< two regions, or empty
+  std::array<std::string, 2> sides = {"left",
+                                      "right"};  ///< lip names: left of the path's direction, then right;
                                                  ///< for `between`: first region's lip, second's
   std::array<bool, 2> weld = {false, false};     ///< keep the first/last end closed where it could open
   core::Place place;
@@ -35,14 +36,15 @@ struct Domain {
   struct Segment {
     Index from = -1, to = -1;     ///< into `points`
     Index left = -1, right = -1;  ///< faces (-1: outside every region)
-    std::vector<std::string> borders;  ///< names it carries: "rock.bottom"; a shared border bears both sides' names
-    Index joint = -1;             ///< into `joints`
+    std::vector<std::string>
+        borders;       ///< names it carries: "rock.bottom"; a shared border bears both sides' names
+    Index joint = -1;  ///< into `joints`
     bool joint_reversed = false;  ///< runs against the joint's direction
     double joint_position = 0;    ///< arc length of its earlier end along the joint [m]
   };
   struct Face {
-    Index region = -1;                                    ///< into `regions`
-    std::vector<Index> outer;                             ///< as in Arrangement::Face
+    Index region = -1;         ///< into `regions`
+    std::vector<Index> outer;  ///< as in Arrangement::Face
     std::vector<std::vector<Index>> inner;
     Point inside;
   };
@@ -63,8 +65,9 @@ struct Domain {
 
 /// Arranges regions and joints. Arcs are replaced by chords no longer than `chord` (turning at most 7.5°).
 /// Mistakes found: self-crossing or empty region, regions that overlap, joint outside every region, joint
-/// between regions that do not touch, joint of no length, two borders of one name in a region that is not one.
-Domain make_domain(const std::vector<RegionShape>& regions, const std::vector<JointLine>& joints, double chord,
-                   core::Mistakes& mistakes);
+/// between regions that do not touch, joint of no length, two borders of one name in a region that is not
+/// one.
+Domain make_domain(const std::vector<RegionShape>& regions, const std::vector<JointLine>& joints,
+                   double chord, core::Mistakes& mistakes);
 
 }  // namespace ashlar::mesh

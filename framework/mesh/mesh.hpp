@@ -11,7 +11,8 @@
 
 namespace ashlar::mesh {
 
-/// One mesh edge on a joint's lip. s is the arc length along the joint's path [m]; it grows from `from` to `to`.
+/// One mesh edge on a joint's lip. s is the arc length along the joint's path [m]; it grows from `from` to
+/// `to`.
 struct LipEdge {
   Index edge = -1;
   Index cell = -1;  ///< the one cell that it borders
@@ -22,14 +23,14 @@ struct LipEdge {
 /// A joint in the mesh: two lips that face each other, their edges ordered by s.
 struct JointLips {
   std::string name;
-  std::array<std::string, 2> sides;             ///< names of the lips
-  std::array<std::vector<LipEdge>, 2> lips;     ///< [0]: left of the path's direction (or first region)
+  std::array<std::string, 2> sides;          ///< names of the lips
+  std::array<std::vector<LipEdge>, 2> lips;  ///< [0]: left of the path's direction (or first region)
 };
 
 struct Mesh {
   std::vector<Point> points;
-  Adjacency cell_points;  ///< corners, counter-clockwise
-  Adjacency cell_edges;   ///< edge i joins corners i and i+1
+  Adjacency cell_points;                          ///< corners, counter-clockwise
+  Adjacency cell_edges;                           ///< edge i joins corners i and i+1
   std::vector<std::array<Index, 2>> edge_points;  ///< in the sense of the first cell (body on the left)
   std::vector<std::array<Index, 2>> edge_cells;   ///< first cell; second cell or -1 on a border
   std::vector<std::string> regions;
@@ -62,8 +63,9 @@ struct RawMesh {
 struct Domain;
 
 /// Edges, names and joints of a conforming raw mesh: finds the mesh edges on each domain segment, cuts cells
-/// that a joint crosses (meshes that do not conform to joints), opens joints by sectors around each point, and
-/// names border edges. A tip inside a region stays welded. Throws InputError if a joint cannot be followed.
+/// that a joint crosses (meshes that do not conform to joints), opens joints by sectors around each point,
+/// and names border edges. A tip inside a region stays welded. Throws InputError if a joint cannot be
+/// followed.
 Mesh build_mesh(RawMesh raw, const Domain& domain);
 
 /// Names of all edge groups, for messages.
@@ -79,13 +81,13 @@ Index nearest_point(const Mesh& mesh, Point p, const std::string& lip = {});
 struct MeshReport {
   Index cells = 0, points = 0, edges = 0;
   double area = 0;
-  double size_min = 0, size_mean = 0, size_max = 0;    ///< √area of cells [m]
+  double size_min = 0, size_mean = 0, size_max = 0;  ///< √area of cells [m]
   int corners_min = 0, corners_max = 0;
   double corners_mean = 0;
-  double shortest_edge = 0;                            ///< [m]
-  double shortest_edge_ratio = 0;                      ///< over its cell's diameter, the least
-  double roundness_min = 0, roundness_mean = 0;        ///< 4π area / perimeter², 1 for a disc
-  Point worst_cell;                                    ///< centroid of the least round cell
+  double shortest_edge = 0;                      ///< [m]
+  double shortest_edge_ratio = 0;                ///< over its cell's diameter, the least
+  double roundness_min = 0, roundness_mean = 0;  ///< 4π area / perimeter², 1 for a disc
+  Point worst_cell;                              ///< centroid of the least round cell
   std::vector<std::pair<std::string, std::string>> notes;
 };
 MeshReport report(const Mesh& mesh);

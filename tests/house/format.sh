@@ -4,5 +4,5 @@
 cd "$1" || exit 2
 how=(--dry-run -Werror)
 [[ ${2:-} == --fix ]] && how=(-i)
-find framework modules tests examples scripts \( -name '*.cpp' -o -name '*.hpp' \) -print0 |
+find . \( -path './build*' -o -path ./.git \) -prune -o \( -name '*.cpp' -o -name '*.hpp' \) -print0 |
   xargs -0 -r -n 20 -P "$(nproc)" clang-format "${how[@]}" --style=file

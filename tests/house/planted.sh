@@ -10,8 +10,10 @@ trap 'rm -rf "$copy"' EXIT
 failed=0
 
 fresh_copy() {
-  rm -rf "$copy/tree" && mkdir "$copy/tree"
-  cp -r "$root"/{CMakeLists.txt,framework,modules,scripts,examples,tests} "$copy/tree" && cd "$copy/tree" || exit 2
+  rm -rf "$copy/tree" && mkdir "$copy/tree" && cd "$copy/tree" || exit 2
+  for entry in CMakeLists.txt framework modules scripts examples tests; do
+    [[ -e $root/$entry ]] && cp -r "$root/$entry" .
+  done
 }
 
 # expect RULE WORDS : the rule must fail and say these words.

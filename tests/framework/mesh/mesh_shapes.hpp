@@ -5,7 +5,8 @@
 
 namespace ashlar::mesh {
 
-inline geometry::Shape polygon(const std::vector<Point>& corners, const std::vector<std::string>& names = {}) {
+inline geometry::Shape polygon(const std::vector<Point>& corners,
+                               const std::vector<std::string>& names = {}) {
   geometry::Shape shape;
   shape.rings.emplace_back();
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -27,7 +28,9 @@ inline geometry::Shape operation(geometry::Shape::Kind kind, std::vector<geometr
   return shape;
 }
 
-inline RegionShape region(const std::string& name, const geometry::Shape& shape) { return {name, shape, {}}; }
+inline RegionShape region(const std::string& name, const geometry::Shape& shape) {
+  return {name, shape, {}};
+}
 
 inline JointLine joint(const std::string& name, const std::vector<Point>& path) {
   JointLine line;
