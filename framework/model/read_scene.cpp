@@ -37,7 +37,10 @@ std::vector<RegionData> read_regions(const Settings& root, const core::Registry&
     region.shape = read_shape(settings, registry, mistakes);
     const bool group = settings.name == "mesh_group";
     (group ? groups : drawn) = true;
-    if (group) region.mesh_group = settings.has("group") ? settings.text("group") : name;
+    if (group) {
+      const std::string* word = settings.items.empty() ? nullptr : settings.items[0].text();
+      region.mesh_group = word ? *word : name;
+    }
     if (settings.entry("material").object)
       region.material = settings.object("material");
     else if (!settings.said("material"))

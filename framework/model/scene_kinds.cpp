@@ -68,9 +68,8 @@ void add_shapes(core::Registry& registry) {
   registry.add_schema(region("intersection", "intersection",
                              "What all shapes have in common. Edges keep their names.",
                              operands("shapes to be intersected")));
-  registry.add_schema(
-      region("mesh_group", "MeshGroup", "Cells of a physical group of the mesh file.",
-             {parameter("group", Form::text, "the group's name; the region's own by default")}));
+  registry.add_schema(region("mesh_group", "MeshGroup", "Cells of a physical group of the mesh file.",
+                             {parameter("", Form::text, "the group's name; the region's own by default")}));
   registry.add_schema(
       {"arc",
        "arc",
