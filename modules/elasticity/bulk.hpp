@@ -1,0 +1,40 @@
+#pragma once
+// The elastic bulk: stiffness of all cells, and stresses from displacements.
+
+#include <set>
+#include <string>
+
+#include "model/effect.hpp"
+
+namespace ashlar::elasticity {
+
+/// Names of the fields that a run can ask for.
+inline const std::set<std::string> all_fields = {"displacement", "strain",           "stress",
+                                                 "stress_nodes", "principal_stress", "principal_stress_nodes"};
+
+class Bulk final : public model::Stiffness {
+ public:
+  /// `fields`: those of `all_fields` that are wanted as results.
+  Bulk(const model::Model& model, std::set<std::string> fields);
+
+  const algebra::Adjacency& groups() const override { return dofs_; }
+  void add_tangent(const algebra::ScatterMap& map, std::span<double> value) const override;
+  void add_internal_force(std::span<const double> u, std::span<double> force) const override;
+  std::size_t bytes() const override;
+  void add_results(const fields::State& state, model::StageResult& result) const override;
+
+ private:
+  const model::Model& model_;
+  std::set<std::string> fields_;
+  algebra::Adjacency dofs_;  ///< of each cell, in the element's order
+};
+
+class Elasticity final : public model::Effect {
+ public:
+  void contribute(const model::StageContext& context, model::Terms& terms) override;
+
+ private:
+  std::shared_ptr<const Bulk> bulk_;
+};
+
+}  // namespace ashlar::elasticity

@@ -1,0 +1,56 @@
+#include "elasticity/elastic.hpp"
+
+#include <cassert>
+
+namespace ashlar::elasticity {
+
+using model::Plane;
+
+Elastic::Elastic(double e, double nu, Plane plane, Weight weight) : weight_(weight) {
+  assert(e > 0 && nu > -1 && (plane == Plane::stress ? nu <= 0.5 : nu < 0.5));
+  // Plane stress has the same form with λ* = 2μλ/(λ+2μ) = Eν/(1−ν²), and no stress out of plane.
+  mu_ = e / (2 * (1 + nu));
+  lambda_ = plane == Plane::strain ? e * nu / ((1 + nu) * (1 - 2 * nu)) : e * nu / (1 - nu * nu);
+  plane_modulus_ = plane == Plane::strain ? e / (1 - nu * nu) : e;
+  nu_zz_ = plane == Plane::strain ? nu : 0;
+}
+
+model::Response Elastic::respond(const model::Voigt& strain, std::span<const double>,
+                                 std::span<double>) const {
+  model::Response response;
+  const double direct = lambda_ + 2 * mu_;
+  response.stress = {direct * strain[0] + lambda_ * strain[1], lambda_ * strain[0] + direct * strain[1],
+                     mu_ * strain[2]};
+  response.stress_zz = nu_zz_ * (response.stress[0] + response.stress[1]);
+  response.tangent = {direct, lambda_, 0, lambda_, direct, 0, 0, 0, mu_};
+  return response;
+}
+
+double Elastic::unit_weight(double gravity) const {
+  if (weight_.unit_weight) return *weight_.unit_weight;
+  if (weight_.density) return *weight_.density * gravity;
+  return -1;
+}
+
+std::shared_ptr<const model::Material> make_elastic(const core::Settings& settings, Plane plane,
+                                                    core::Mistakes& mistakes) {
+  const double nu = settings.number("nu");
+  bool wrong = false;
+  if (plane == Plane::strain && nu >= 0.5) {
+    mistakes.add(settings.place_of("nu"), "nu = 0.5 has no volume change: plane strain has no solution for it",
+                 "take nu = 0.4999 (the elements do not lock), or plane = \"stress\"");
+    wrong = true;
+  }
+  if (settings.has("unit_weight") && settings.has("density")) {
+    mistakes.add(settings.place_of("density"), "unit_weight and density are both given",
+                 "give one of them; a unit weight does not depend on the stage's gravity");
+    wrong = true;
+  }
+  if (wrong) return nullptr;
+  Weight weight;
+  if (settings.has("unit_weight")) weight.unit_weight = settings.number("unit_weight");
+  if (settings.has("density")) weight.density = settings.number("density");
+  return std::make_shared<Elastic>(settings.number("E"), nu, plane, weight);
+}
+
+}  // namespace ashlar::elasticity

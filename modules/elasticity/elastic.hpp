@@ -1,0 +1,36 @@
+#pragma once
+// Hooke's law for plane strain and plane stress, isotropic.
+
+#include <optional>
+
+#include "model/material.hpp"
+
+namespace ashlar::elasticity {
+
+/// Weight per volume, said as such or by density; nothing said: no weight.
+struct Weight {
+  std::optional<double> unit_weight;  ///< [N/m³]
+  std::optional<double> density;      ///< [kg/m³]
+};
+
+class Elastic final : public model::Material {
+ public:
+  /// E > 0 [Pa]; −1 < nu ≤ ½, and below ½ in plane strain.
+  Elastic(double e, double nu, model::Plane plane, Weight weight = {});
+
+  bool linear() const override { return true; }
+  model::Response respond(const model::Voigt& strain, std::span<const double> committed,
+                          std::span<double> trial) const override;
+  double unit_weight(double gravity) const override;
+  double shear_modulus() const override { return mu_; }
+  double plane_modulus() const override { return plane_modulus_; }
+
+ private:
+  double mu_, lambda_, plane_modulus_, nu_zz_;
+  Weight weight_;
+};
+
+/// The maker of kind "material", name "elastic".
+model::MakeMaterial make_elastic;
+
+}  // namespace ashlar::elasticity

@@ -1,0 +1,45 @@
+#include "core/registry.hpp"
+#include "elasticity/bulk.hpp"
+#include "elasticity/elastic.hpp"
+#include "elasticity/vem.hpp"
+
+namespace ashlar::elasticity {
+
+namespace {
+
+std::shared_ptr<const model::Element> make_vem(core::Registry& registry, const core::Settings& settings,
+                                               int order, core::Mistakes& mistakes) {
+  if (order != 1) {
+    mistakes.add(settings.place, "element \"vem\" has no order " + std::to_string(order), "valid: order = 1");
+    return nullptr;
+  }
+  const core::Settings& choice = settings.object("stabilisation");
+  return std::make_shared<VemElement>(
+      registry.make<MakeStabilisation>("stabilisation", choice.name)(choice));
+}
+
+}  // namespace
+
+ASHLAR_MODULE(registry) {
+  const auto add_stabilisation = [&](const char* name, std::function<MakeStabilisation> make) {
+    registry.add_make("stabilisation", name, std::move(make));
+  };
+  add_stabilisation("bending", [](const core::Settings&) { return std::make_shared<BendingStabilisation>(); });
+  add_stabilisation("shear", [](const core::Settings& settings) {
+    return std::make_shared<ShearStabilisation>(settings.number("factor"));
+  });
+  add_stabilisation("diagonal",
+                    [](const core::Settings&) { return std::make_shared<DiagonalStabilisation>(); });
+
+  registry.add_make("material", "elastic", std::function<model::MakeMaterial>(make_elastic));
+  registry.add_make("element", "vem",
+                    std::function<model::MakeElement>(
+                        [&registry](const core::Settings& settings, int order, core::Mistakes& mistakes) {
+                          return make_vem(registry, settings, order, mistakes);
+                        }));
+  registry.add_make("effect", "elasticity", std::function<model::MakeEffect>([](core::Registry&) {
+                      return std::make_unique<Elasticity>();
+                    }));
+}
+
+}  // namespace ashlar::elasticity

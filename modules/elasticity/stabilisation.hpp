@@ -1,0 +1,49 @@
+#pragma once
+// What the projection does not see, u − Πu at the corners, gets the energy ½ t Σ_i d_i (u−Πu)_i · T (u−Πu)_i.
+// A choice of stabilisation says T and d. It must be positive definite, turn with the cell, and stay bounded
+// for ν → ½: it may use the shear modulus or the plane modulus (at most 4μ), never λ.
+
+#include <memory>
+#include <span>
+
+#include "elasticity/cell_shape.hpp"
+#include "model/material.hpp"
+
+namespace ashlar::elasticity {
+
+class Stabilisation {
+ public:
+  virtual ~Stabilisation() = default;
+  /// Returns T [Pa] and fills d (one number a corner).
+  virtual Tensor2 weigh(const CellShape& shape, const model::Material& material,
+                        std::span<double> d) const = 0;
+};
+
+/// A module registers a choice as kind "stabilisation" with this signature.
+using MakeStabilisation = std::shared_ptr<const Stabilisation>(const core::Settings& settings);
+
+/// T = E'/3 √det J J⁻¹ with J the cell's second moments, d = 1. On a rectangle a × b this is E' b/(3a) along
+/// a: the exact stiffness of the rectangle against bending, for every aspect and every ν.
+class BendingStabilisation final : public Stabilisation {
+ public:
+  Tensor2 weigh(const CellShape& shape, const model::Material& material, std::span<double> d) const override;
+};
+
+/// T = factor μ I, d = 1.
+class ShearStabilisation final : public Stabilisation {
+ public:
+  explicit ShearStabilisation(double factor) : factor_(factor) {}
+  Tensor2 weigh(const CellShape& shape, const model::Material& material, std::span<double> d) const override;
+
+ private:
+  double factor_;
+};
+
+/// The diagonal recipe, with the shear part of the consistent stiffness alone: T = I and d_i = 3/2 μ |E| |g_i|²
+/// (half the trace of corner i's block), at least its mean over the corners.
+class DiagonalStabilisation final : public Stabilisation {
+ public:
+  Tensor2 weigh(const CellShape& shape, const model::Material& material, std::span<double> d) const override;
+};
+
+}  // namespace ashlar::elasticity
