@@ -45,7 +45,8 @@ void assemble_on_one_thread(const Map& map, std::span<double> target, Compute& c
 ///
 /// `map` is a ScatterMap (packed matrices into a SymmetricMatrix's values) or an Adjacency (vectors by dof).
 /// Chunk by chunk, contributions are computed in parallel, then added in parallel, each thread owning a range
-/// of the target and walking the groups in their order: every sum is taken in one order, whatever the threads.
+/// of the target and walking the groups in their order: every sum is taken in one order, whatever the
+/// threads.
 template <class Map, class Compute>
 void assemble(const Map& map, std::span<double> target, Compute&& compute) {
   if (core::thread_count() == 1) return detail::assemble_on_one_thread(map, target, compute);

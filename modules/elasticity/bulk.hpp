@@ -9,8 +9,8 @@
 namespace ashlar::elasticity {
 
 /// Names of the fields that a run can ask for.
-inline const std::set<std::string> all_fields = {"displacement", "strain",           "stress",
-                                                 "stress_nodes", "principal_stress", "principal_stress_nodes"};
+inline const std::set<std::string> all_fields = {
+    "displacement", "strain", "stress", "stress_nodes", "principal_stress", "principal_stress_nodes"};
 
 class Bulk final : public model::Stiffness {
  public:

@@ -6,7 +6,8 @@
 //   g_i = ½ (|e_{i−1}| n_{i−1} + |e_i| n_i)/|E|   so that ∇Πv = 1/|E| ∮ v⊗n   (mean gradient)
 //   w_i = ½ (|e_{i−1}| + |e_i|)/|∂E|              so that ∮ Πv = ∮ v          (mean along the border)
 //
-// Corners may be collinear, edges may be short, the polygon may be non-convex: only its area must be positive.
+// Corners may be collinear, edges may be short, the polygon may be non-convex: only its area must be
+// positive.
 
 #include <span>
 

@@ -37,7 +37,8 @@ std::shared_ptr<const model::Material> make_elastic(const core::Settings& settin
   const double nu = settings.number("nu");
   bool wrong = false;
   if (plane == Plane::strain && nu >= 0.5) {
-    mistakes.add(settings.place_of("nu"), "nu = 0.5 has no volume change: plane strain has no solution for it",
+    mistakes.add(settings.place_of("nu"),
+                 "nu = 0.5 has no volume change: plane strain has no solution for it",
                  "take nu = 0.4999 (the elements do not lock), or plane = \"stress\"");
     wrong = true;
   }

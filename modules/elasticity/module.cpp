@@ -14,8 +14,7 @@ std::shared_ptr<const model::Element> make_vem(core::Registry& registry, const c
     return nullptr;
   }
   const core::Settings& choice = settings.object("stabilisation");
-  return std::make_shared<VemElement>(
-      registry.make<MakeStabilisation>("stabilisation", choice.name)(choice));
+  return std::make_shared<VemElement>(registry.make<MakeStabilisation>("stabilisation", choice.name)(choice));
 }
 
 }  // namespace
@@ -24,7 +23,8 @@ ASHLAR_MODULE(registry) {
   const auto add_stabilisation = [&](const char* name, std::function<MakeStabilisation> make) {
     registry.add_make("stabilisation", name, std::move(make));
   };
-  add_stabilisation("bending", [](const core::Settings&) { return std::make_shared<BendingStabilisation>(); });
+  add_stabilisation("bending",
+                    [](const core::Settings&) { return std::make_shared<BendingStabilisation>(); });
   add_stabilisation("shear", [](const core::Settings& settings) {
     return std::make_shared<ShearStabilisation>(settings.number("factor"));
   });

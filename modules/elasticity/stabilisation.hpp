@@ -39,8 +39,8 @@ class ShearStabilisation final : public Stabilisation {
   double factor_;
 };
 
-/// The diagonal recipe, with the shear part of the consistent stiffness alone: T = I and d_i = 3/2 μ |E| |g_i|²
-/// (half the trace of corner i's block), at least its mean over the corners.
+/// The diagonal recipe, with the shear part of the consistent stiffness alone: T = I and d_i = 3/2 μ |E|
+/// |g_i|² (half the trace of corner i's block), at least its mean over the corners.
 class DiagonalStabilisation final : public Stabilisation {
  public:
   Tensor2 weigh(const CellShape& shape, const model::Material& material, std::span<double> d) const override;

@@ -147,8 +147,7 @@ void VemElement::add_body_force(const Cell& cell, Point b, std::span<double> for
   // ∫ Πφ_i = |E| (Πφ_i)(centroid).
   const CellShape shape(cell.corners);
   for (std::size_t i = 0; i < cell.corners.size(); ++i) {
-    const double weight =
-        cell.thickness * shape.area * (shape.mean[i] + dot(shape.slope[i], shape.centroid));
+    const double weight = cell.thickness * shape.area * (shape.mean[i] + dot(shape.slope[i], shape.centroid));
     force[2 * i] += weight * b.x;
     force[2 * i + 1] += weight * b.y;
   }

@@ -22,8 +22,8 @@ class VemElement final : public model::Element {
   model::NodeCounts nodes() const override { return {}; }
   void stiffness(const model::Cell& cell, const model::Material& material,
                  std::span<double> packed) const override;
-  void add_internal_force(const model::Cell& cell, const model::Material& material,
-                          std::span<const double> u, std::span<double> force) const override;
+  void add_internal_force(const model::Cell& cell, const model::Material& material, std::span<const double> u,
+                          std::span<double> force) const override;
   void add_body_force(const model::Cell& cell, Point b, std::span<double> force) const override;
   model::Voigt strain(const model::Cell& cell, std::span<const double> u, Point at) const override;
   int order() const override { return 1; }

@@ -67,8 +67,8 @@ void Cholesky::analyse(const SymmetricPattern& pattern, std::span<const Index> k
   assert(std::is_sorted(kept.begin(), kept.end()));
   assert(node.size() == static_cast<std::size_t>(pattern.size));
   std::uint64_t fingerprint = 1;
-  for (const auto& list : {std::span<const Index>(pattern.column_start), std::span<const Index>(pattern.row),
-                           kept, node})
+  for (const auto& list :
+       {std::span<const Index>(pattern.column_start), std::span<const Index>(pattern.row), kept, node})
     mix(fingerprint, list);
   if (factor_ && fingerprint == fingerprint_) return;
   fingerprint_ = fingerprint;
@@ -133,8 +133,9 @@ void Cholesky::analyse_order(Ordering& ordering) {
   cholmod_sparse matrix = view();
   factor_.reset(cholmod_analyze_p(&matrix, ordering.unknown.data(), nullptr, 0, common_));
   if (!factor_) {
-    trouble_ = common_->status == CHOLMOD_TOO_LARGE ? "the factor has more entries than 32-bit numbers can count"
-                                                    : "not enough memory to analyse the matrix";
+    trouble_ = common_->status == CHOLMOD_TOO_LARGE
+                   ? "the factor has more entries than 32-bit numbers can count"
+                   : "not enough memory to analyse the matrix";
     return;
   }
   [[maybe_unused]] const auto* place = static_cast<const int*>(factor_->Perm);
@@ -250,7 +251,8 @@ std::size_t Cholesky::bytes() const {
   std::size_t sum = sizeof(Index) * (column_start_.capacity() + row_.capacity() + kept_.capacity()) +
                     sizeof(double) * (value_.capacity() + shift_.capacity());
   sum += sizeof(double) * static_cast<std::size_t>(kept_factor_.size() + schur_.size());
-  if (factor_) sum += factor_->xsize * sizeof(double) + factor_->ssize * sizeof(int) + 2 * factor_->n * sizeof(int);
+  if (factor_)
+    sum += factor_->xsize * sizeof(double) + factor_->ssize * sizeof(int) + 2 * factor_->n * sizeof(int);
   return sum;
 }
 

@@ -31,7 +31,8 @@ NodeGraph make_graph(const SymmetricPattern& pattern, std::span<const Index> kep
       ++next_kept;
       continue;
     }
-    if (graph.first.empty() || node[i] != last_node) graph.first.push_back(static_cast<Index>(graph.unknown.size()));
+    if (graph.first.empty() || node[i] != last_node)
+      graph.first.push_back(static_cast<Index>(graph.unknown.size()));
     last_node = node[i];
     number[i] = static_cast<Index>(graph.first.size()) - 1;
     graph.unknown.push_back(i);
