@@ -134,6 +134,7 @@ void Checker::check_entry(const Table* table, const Parameter& parameter, Settin
     Value fallback = *parameter.fallback;
     fallback.place = below(settings.place, parameter.key);
     checked = check_value(fallback, parameter);
+    if (parameter.numerical) log().debug(to_string(fallback.place) + ": the default is used");
   } else if (parameter.required) {
     mistakes_.add(
         below(settings.place, parameter.key),
@@ -259,11 +260,17 @@ Checker::Checked Checker::check_tagged(const Value& value, const Parameter& para
 }
 
 Checker::Checked Checker::check_all(const Value& value, const Parameter& parameter) {
-  if (!parameter.each) return {value, {}, {}};
+  if (!parameter.each && parameter.kind.empty()) return {value, {}, {}};
+  Parameter each;
+  if (parameter.each)
+    each = *parameter.each;
+  else
+    each.forms = static_cast<unsigned>(Form::object);
+  if (each.kind.empty()) each.kind = parameter.kind;
   Checked result;
   Table table = *value.table();
   auto check_one = [&](const std::string& name, Value& item) {
-    Checked checked = check_value(item, *parameter.each);
+    Checked checked = check_value(item, each);
     if (checked.object) result.objects.emplace_back(name, *checked.object);
     item = std::move(checked.value);
   };

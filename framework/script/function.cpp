@@ -1,0 +1,76 @@
+#include "script/function.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include "script/quantity.hpp"
+
+namespace ashlar::script {
+
+namespace {
+
+class ScriptFunction : public core::Function {
+ public:
+  ScriptFunction(std::shared_ptr<Machine> machine, int reference, core::Place place)
+      : machine_(std::move(machine)), reference_(reference), place_(std::move(place)) {}
+
+  ~ScriptFunction() override { luaL_unref(machine_->state(), LUA_REGISTRYINDEX, reference_); }
+
+  std::vector<double> call(std::span<const double> arguments) const override {
+    std::vector<double> results;
+    const auto failure = machine_->protect([&](lua_State* L) {
+      luaL_checkstack(L, static_cast<int>(arguments.size()) + 2, "too many arguments");
+      lua_rawgeti(L, LUA_REGISTRYINDEX, reference_);
+      for (const double argument : arguments) lua_pushnumber(L, argument);
+      lua_call(L, static_cast<int>(arguments.size()), LUA_MULTRET);
+      for (int i = 1; i <= lua_gettop(L); ++i) results.push_back(result(L, i, arguments));
+      if (results.empty()) throw error(place_, "returns nothing", arguments);
+    });
+    if (failure) throw error(failure->place, "fails: " + failure->what, arguments);
+    return results;
+  }
+
+ private:
+  double result(lua_State* L, int index, std::span<const double> arguments) const {
+    const auto quantity = to_quantity(L, index);
+    if (!quantity) {
+      const std::string got = lua_isnil(L, index) ? "nothing" : std::string("a ") + luaL_typename(L, index);
+      throw error(place_, "must return numbers, but returns " + got, arguments);
+    }
+    if (!std::isfinite(quantity->value))
+      throw error(place_, "returns " + core::format_quantity(quantity->value, {}), arguments);
+    return quantity->value;
+  }
+
+  core::InputError error(core::Place place, const std::string& what,
+                         std::span<const double> arguments) const {
+    std::ostringstream text;
+    text << "the function";
+    if (place.line != place_.line || place.file != place_.file)
+      text << " of " << place_.file << ":" << place_.line;
+    text << ", called with (";
+    for (std::size_t i = 0; i < arguments.size(); ++i) text << (i > 0 ? ", " : "") << arguments[i];
+    text << "), " << what;
+    place.path = place_.path;
+    return core::InputError(core::Mistake{std::move(place), text.str(), {}});
+  }
+
+  std::shared_ptr<Machine> machine_;
+  int reference_;
+  core::Place place_;
+};
+
+}  // namespace
+
+std::shared_ptr<const core::Function> make_function(const std::shared_ptr<Machine>& machine, lua_State* L,
+                                                    int index, core::Place place) {
+  const core::Place own = machine->place_of_function(L, index);
+  if (own.line > 0) {
+    place.file = own.file;
+    place.line = own.line;
+  }
+  lua_pushvalue(L, index);
+  return std::make_shared<ScriptFunction>(machine, luaL_ref(L, LUA_REGISTRYINDEX), std::move(place));
+}
+
+}  // namespace ashlar::script
