@@ -65,10 +65,11 @@ void SizeField::sample(const core::Function& function, const core::Place& place)
                                         std::min(low_.y + j * grid_.step, high_.y)};
       const std::vector<double> result = function.call(at);
       if (result.size() != 1 || !(result[0] > 0) || !std::isfinite(result[0])) {
-        throw core::InputError(core::Mistake{place,
-                                             "the size must be one number above 0 m, but is not at (" +
-                                                 std::to_string(at[0]) + ", " + std::to_string(at[1]) + ")",
-                                             {}});
+        core::Mistake mistake;
+        mistake.place = place;
+        mistake.what = "the size must be one number above 0 m, but is not at (" + std::to_string(at[0]) + ", " +
+                       std::to_string(at[1]) + ")";
+        throw core::InputError(mistake);
       }
       grid_.values.push_back(result[0]);
     }

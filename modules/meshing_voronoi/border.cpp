@@ -318,11 +318,11 @@ Border protect(const mesh::Domain& domain, mesh::SizeField& sizes) {
     for (const Fault& fault : faults) sizes.add({fault.at, fault.at, fault.size, 0});
     sizes.prepare();
     if (round < most_rounds) continue;
-    throw core::InputError(core::Mistake{{},
-                                         "mesh.voronoi cannot follow the borders near (" +
-                                             std::to_string(faults[0].at.x) + ", " +
-                                             std::to_string(faults[0].at.y) + ")",
-                                         "look for edges or joints that nearly touch there"});
+    core::Mistake mistake;
+    mistake.what = "mesh.voronoi cannot follow the borders near (" + std::to_string(faults[0].at.x) + ", " +
+                   std::to_string(faults[0].at.y) + ")";
+    mistake.advice = "look for edges or joints that nearly touch there";
+    throw core::InputError(mistake);
   }
 }
 

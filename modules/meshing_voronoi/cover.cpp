@@ -91,8 +91,10 @@ void Cover::build(Index node, Point center, double half, const std::vector<Index
     return;
   }
   if (nodes_.size() > most_leaves) {
-    throw core::InputError(core::Mistake{{}, "mesh.voronoi would need more than ten million cells",
-                                         "ask for larger cells, or remove details that are very small"});
+    core::Mistake mistake;
+    mistake.what = "mesh.voronoi would need more than ten million cells";
+    mistake.advice = "ask for larger cells, or remove details that are very small";
+    throw core::InputError(mistake);
   }
   const Index child = static_cast<Index>(nodes_.size());
   nodes_.resize(nodes_.size() + 4);

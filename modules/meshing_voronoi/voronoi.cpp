@@ -26,6 +26,14 @@ struct Plan {
   Index free = 0;    ///< interior sites
 };
 
+[[noreturn]] void fail(core::Place place, std::string what, std::string advice) {
+  core::Mistake mistake;
+  mistake.place = std::move(place);
+  mistake.what = std::move(what);
+  mistake.advice = std::move(advice);
+  throw core::InputError(mistake);
+}
+
 Index count_inside(const Border& border) {
   return static_cast<Index>(
       std::count_if(border.sites.begin(), border.sites.end(), [](const Site& s) { return s.face >= 0; }));
@@ -82,9 +90,8 @@ Plan plan_cells(const mesh::Domain& domain, const core::Settings& settings, Inde
     if (std::abs(wished - cells) <= close_enough * cells + 1 && plan.inside <= cells) return plan;
     if (round == most_scalings) {
       if (plan.inside <= cells) return plan;
-      throw core::InputError(core::Mistake{settings.place_of("cells"),
-                                           std::to_string(cells) + " cells are too few for this geometry",
-                                           "borders and joints alone need " + std::to_string(plan.inside)});
+      fail(settings.place_of("cells"), std::to_string(cells) + " cells are too few for this geometry",
+           "borders and joints alone need " + std::to_string(plan.inside));
     }
     size *= std::clamp(std::sqrt(wished / cells), 0.5, 2.0);
   }
@@ -92,7 +99,7 @@ Plan plan_cells(const mesh::Domain& domain, const core::Settings& settings, Inde
 
 Plan make_plan(const mesh::Domain& domain, const core::Settings& settings) {
   if (settings.has("cells") == settings.has("size")) {
-    throw core::InputError(core::Mistake{settings.place, "mesh.voronoi needs either size or cells", "size = 0.5"});
+    fail(settings.place, "mesh.voronoi needs either size or cells", "size = 0.5");
   }
   if (settings.has("cells")) return plan_cells(domain, settings, settings.integer("cells"));
   Plan plan = plan_sizes(domain, mesh::SizeField::read(domain, settings, 1.0));
@@ -163,10 +170,9 @@ mesh::RawMesh generate(const mesh::Domain& domain, const core::Settings& setting
       return raw;
     }
     if (repairs == most_repairs) {
-      throw core::InputError(core::Mistake{settings.place,
-                                           "mesh.voronoi cannot make sound cells near (" + number(faults[0].x) +
-                                               ", " + number(faults[0].y) + ")",
-                                           "look for details that are very small, or choose another seed"});
+      fail(settings.place,
+           "mesh.voronoi cannot make sound cells near (" + number(faults[0].x) + ", " + number(faults[0].y) + ")",
+           "look for details that are very small, or choose another seed");
     }
     const Index wanted = plan.free < 0 ? -1 : plan.free + plan.inside;
     for (const Point fault : faults) plan.sizes.add({fault, fault, 0.5 * plan.sizes.at(fault, -1), 0});
