@@ -67,8 +67,8 @@ void SizeField::sample(const core::Function& function, const core::Place& place)
       if (result.size() != 1 || !(result[0] > 0) || !std::isfinite(result[0])) {
         core::Mistake mistake;
         mistake.place = place;
-        mistake.what = "the size must be one number above 0 m, but is not at (" + std::to_string(at[0]) + ", " +
-                       std::to_string(at[1]) + ")";
+        mistake.what = "the size must be one number above 0 m, but is not at (" + std::to_string(at[0]) +
+                       ", " + std::to_string(at[1]) + ")";
         throw core::InputError(mistake);
       }
       grid_.values.push_back(result[0]);
@@ -122,7 +122,8 @@ double SizeField::value_of(const SizeSource& source, Point p) const {
 
 // A source matters in a box if somewhere in it it can be the least: all values change by at most
 // grading × distance.
-std::vector<Index> SizeField::relevant(const std::vector<Index>& candidates, Point center, double half) const {
+std::vector<Index> SizeField::relevant(const std::vector<Index>& candidates, Point center,
+                                       double half) const {
   const double slack = grading_ * half * std::sqrt(2.0);
   std::vector<double> values(candidates.size());
   double best = greatest_;
@@ -140,7 +141,8 @@ std::vector<Index> SizeField::relevant(const std::vector<Index>& candidates, Poi
   return kept;
 }
 
-void SizeField::build(Index node, Point center, double half, const std::vector<Index>& candidates, int depth) {
+void SizeField::build(Index node, Point center, double half, const std::vector<Index>& candidates,
+                      int depth) {
   if (candidates.size() <= leaf_sources || depth == deepest) {
     nodes_[node].begin = static_cast<Index>(lists_.size());
     lists_.insert(lists_.end(), candidates.begin(), candidates.end());

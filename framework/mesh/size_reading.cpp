@@ -26,7 +26,8 @@ std::vector<double> read_map(const Domain& domain, const Value& value, Mistakes&
   for (const auto& [name, entry] : value.table()->entries) {
     const auto found = std::find(domain.regions.begin(), domain.regions.end(), name);
     if (found == domain.regions.end()) {
-      mistakes.add(entry.place, "no region is named '" + name + "'", core::did_you_mean(name, domain.regions));
+      mistakes.add(entry.place, "no region is named '" + name + "'",
+                   core::did_you_mean(name, domain.regions));
     } else {
       sizes[found - domain.regions.begin()] = positive_length(entry, mistakes);
     }
@@ -90,7 +91,8 @@ void refine_point(const Domain& domain, const Value& name, SizeSource source, Si
 
 void read_refinement(const Domain& domain, const Value& item, SizeField& field, Mistakes& mistakes) {
   if (!item.table()) {
-    mistakes.add(item.place, "must be a table, is " + item.type_name(), "{ at = {x, y}, size = h, radius = r }");
+    mistakes.add(item.place, "must be a table, is " + item.type_name(),
+                 "{ at = {x, y}, size = h, radius = r }");
     return;
   }
   check_keys(item, mistakes);

@@ -11,11 +11,12 @@ namespace ashlar::meshing_voronoi {
 namespace {
 
 constexpr double sqrt2 = std::numbers::sqrt2;
-constexpr double notable = 0.85;     // smaller sizes than this share of the wish are graded into the surroundings
-constexpr double flattest = 0.15;    // least distance of sites from their piece, over its length
-constexpr double coincide = 1e-9;    // angle [rad] below which two sites of a sector are one
+constexpr double notable =
+    0.85;  // smaller sizes than this share of the wish are graded into the surroundings
+constexpr double flattest = 0.15;  // least distance of sites from their piece, over its length
+constexpr double coincide = 1e-9;  // angle [rad] below which two sites of a sector are one
 constexpr double widest_gap = 0.56 * std::numbers::pi;  // between sites around a corner
-constexpr double shrink = 0.7;       // of the size where balls are in each other's way
+constexpr double shrink = 0.7;                          // of the size where balls are in each other's way
 constexpr int most_rounds = 40;
 
 /// A segment's balls in order; those at its ends belong to the corners.
@@ -24,7 +25,9 @@ struct Chain {
   std::vector<double> positions;  ///< along the segment
 };
 
+/// What stood in the way: a corner whose ball must shrink, or else a spot that needs a smaller size.
 struct Fault {
+  Index corner = -1;
   Point at;
   double size = 0;
 };
@@ -34,9 +37,11 @@ class Protector {
   Protector(const mesh::Domain& domain, mesh::SizeField& sizes, std::vector<Corner> corners)
       : domain_(domain), sizes_(sizes), corners_(std::move(corners)) {}
 
-  /// One attempt; the spots where it failed.
+  /// Corner balls, and sources in the size field where there is little room.
+  void prepare();
+  /// One attempt; what went wrong.
   std::vector<Fault> run();
-  void note_room();
+  void amend(const std::vector<Fault>& faults);
   Border take() { return std::move(border_); }
 
  private:
@@ -45,6 +50,10 @@ class Protector {
   double length_of(Index segment) const;
   const Spoke& spoke_at(Index segment, bool outward) const;
   std::array<double, 2> free_span(Index segment) const;
+  void note(Index segment, Point p, double size);
+  void note_corner(Index corner);
+  void note_room(Index segment);
+  Fault shrink_ball(Index ball) const;
   void place_corner_balls();
   void place_balls(Index segment);
   std::vector<double> spread(Index segment, double from, double to) const;
@@ -59,6 +68,7 @@ class Protector {
   mesh::SizeField& sizes_;
   std::vector<Corner> corners_;
   std::vector<Chain> chains_;
+  std::vector<Index> corner_of_ball_;  ///< of corners' own balls and of those that they fix
   Border border_;
 };
 
@@ -99,37 +109,69 @@ std::array<double, 2> Protector::free_span(Index segment) const {
   return {first(s.from, true), length - first(s.to, false)};
 }
 
-// Puts what limits the balls into the size field, so that cells grow gradually from narrow places.
-void Protector::note_room() {
-  size_corners(domain_, sizes_, corners_);
-  std::vector<mesh::SizeSource> found;
-  const auto note = [&](Index segment, Point p, double size) {
-    if (size < notable * size_on(segment, p)) found.push_back({p, p, size, 0});
-  };
-  for (Index segment = 0; segment < static_cast<Index>(domain_.segments.size()); ++segment) {
-    const auto [from, to] = free_span(segment);
-    const double length = length_of(segment);
-    note(segment, point_on(segment, 0.5 * length), 1.2 * (to - from));
-    for (const auto& [x, outward] : {std::pair{from, true}, std::pair{to, false}}) {
-      const double offset = outward ? x : length - x;
-      if (offset > 0) note(segment, point_on(segment, x), sqrt2 * offset * std::sin(spoke_at(segment, outward).half));
-    }
-    for (double x = from; x < to;) {
-      const Point p = point_on(segment, x);
-      const double wish = size_on(segment, p);
-      const double size = sqrt2 * room_at(domain_, corners_, segment, p, wish / sqrt2);
-      note(segment, p, size);
-      x += 0.5 * std::max(size, 1e-6 * length);
-    }
+void Protector::note(Index segment, Point p, double size) {
+  if (size < notable * size_on(segment, p)) sizes_.add({p, p, size, 0});
+}
+
+// The first balls beside a corner may be small; cells grow gradually from there.
+void Protector::note_corner(Index corner) {
+  if (corners_[corner].smooth) return;
+  for (const Spoke& spoke : corners_[corner].spokes) {
+    const double offset = corners_[corner].radius / std::cos(spoke.half);
+    const double x = spoke.outward ? offset : spoke.length - offset;
+    note(spoke.segment, point_on(spoke.segment, x), sqrt2 * offset * std::sin(spoke.half));
   }
-  for (const auto& source : found) sizes_.add(source);
+}
+
+void Protector::note_room(Index segment) {
+  const auto [from, to] = free_span(segment);
+  const double length = length_of(segment);
+  note(segment, point_on(segment, 0.5 * length), 1.2 * (to - from));
+  for (double x = from; x < to;) {
+    const Point p = point_on(segment, x);
+    const double size = sqrt2 * room_at(domain_, corners_, segment, p, size_on(segment, p) / sqrt2);
+    note(segment, p, size);
+    x += 0.5 * std::max(size, 1e-6 * length);
+  }
+}
+
+// Corners are sized by the wish alone, before small sizes beside them are noted: else both would shrink in
+// turn.
+void Protector::prepare() {
+  size_corners(domain_, sizes_, corners_);
+  for (Index c = 0; c < static_cast<Index>(corners_.size()); ++c) note_corner(c);
+  for (Index s = 0; s < static_cast<Index>(domain_.segments.size()); ++s) note_room(s);
   sizes_.prepare();
 }
 
+void Protector::amend(const std::vector<Fault>& faults) {
+  std::vector<Index> shrunk;
+  for (const Fault& fault : faults) {
+    if (fault.corner >= 0) {
+      shrunk.push_back(fault.corner);
+    } else {
+      sizes_.add({fault.at, fault.at, fault.size, 0});
+    }
+  }
+  std::sort(shrunk.begin(), shrunk.end());
+  shrunk.erase(std::unique(shrunk.begin(), shrunk.end()), shrunk.end());
+  for (const Index corner : shrunk) {
+    corners_[corner].radius *= shrink;
+    note_corner(corner);
+  }
+  sizes_.prepare();
+}
+
+Fault Protector::shrink_ball(Index ball) const {
+  const Ball& b = border_.balls[ball];
+  return {corner_of_ball_[ball], b.center, shrink * std::min(sqrt2 * b.radius, sizes_.at(b.center, -1))};
+}
+
 void Protector::place_corner_balls() {
-  border_.balls.clear();
+  corner_of_ball_.clear();
   for (std::size_t c = 0; c < corners_.size(); ++c) {
     border_.balls.push_back({domain_.points[c], corners_[c].radius});
+    corner_of_ball_.push_back(corners_[c].smooth ? -1 : static_cast<Index>(c));
   }
 }
 
@@ -162,10 +204,11 @@ void Protector::place_balls(Index segment) {
   const double length = length_of(segment);
   const auto [from, to] = free_span(segment);
   Chain& chain = chains_[segment];
-  const auto add = [&](double x, double radius) {
+  const auto add = [&](double x, double radius, Index corner) {
     chain.positions.push_back(x);
     chain.balls.push_back(static_cast<Index>(border_.balls.size()));
     border_.balls.push_back({point_on(segment, x), radius});
+    corner_of_ball_.push_back(corner);
   };
   chain.positions.push_back(0);
   chain.balls.push_back(s.from);
@@ -173,11 +216,11 @@ void Protector::place_balls(Index segment) {
   for (std::size_t k = 0; k < positions.size(); ++k) {
     const bool first = k == 0, last = k + 1 == positions.size();
     if (first && from > 0) {
-      add(from, corners_[s.from].radius * std::tan(spoke_at(segment, true).half));
+      add(from, corners_[s.from].radius * std::tan(spoke_at(segment, true).half), s.from);
     } else if (last && to < length) {
-      add(to, corners_[s.to].radius * std::tan(spoke_at(segment, false).half));
+      add(to, corners_[s.to].radius * std::tan(spoke_at(segment, false).half), s.to);
     } else if (!first && !last) {
-      add(positions[k], 0);
+      add(positions[k], 0, -1);
     }
   }
   chain.positions.push_back(length);
@@ -220,7 +263,10 @@ void Protector::place_pairs(std::vector<Fault>& faults) {
       const double along = (a.radius * a.radius - b.radius * b.radius + length * length) / (2 * length);
       const double height2 = a.radius * a.radius - along * along;
       if (height2 < flattest * flattest * length * length) {
-        faults.push_back({0.5 * (a.center + b.center), shrink * length});
+        const Index larger = a.radius > b.radius ? from : to;
+        const bool too_large = border_.balls[larger].radius > length && corner_of_ball_[larger] >= 0;
+        faults.push_back(too_large ? shrink_ball(larger)
+                                   : Fault{-1, 0.5 * (a.center + b.center), shrink * length});
         continue;
       }
       const Point t = (1 / length) * (b.center - a.center);
@@ -276,9 +322,8 @@ void Protector::find_overlaps(std::vector<Fault>& faults) const {
     if (balls[b].radius > 0) order.push_back(static_cast<Index>(b));
   }
   const auto left_end = [&](Index b) { return balls[b].center.x - balls[b].radius; };
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return std::pair(left_end(a), a) < std::pair(left_end(b), b);
-  });
+  std::sort(order.begin(), order.end(),
+            [&](Index a, Index b) { return std::pair(left_end(a), a) < std::pair(left_end(b), b); });
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Ball& a = balls[order[i]];
     for (std::size_t j = i + 1; j < order.size() && left_end(order[j]) < a.center.x + a.radius; ++j) {
@@ -286,16 +331,14 @@ void Protector::find_overlaps(std::vector<Fault>& faults) const {
       if (geometry::distance(a.center, b.center) > (1 - 1e-7) * (a.radius + b.radius)) continue;
       const std::array<Index, 2> pair = {std::min(order[i], order[j]), std::max(order[i], order[j])};
       if (std::binary_search(neighbours.begin(), neighbours.end(), pair)) continue;
-      for (const Ball& ball : {a, b}) {
-        faults.push_back({ball.center, shrink * std::min(sqrt2 * ball.radius, sizes_.at(ball.center, -1))});
-      }
+      faults.push_back(shrink_ball(order[i]));
+      faults.push_back(shrink_ball(order[j]));
     }
   }
 }
 
 std::vector<Fault> Protector::run() {
   border_ = {};
-  size_corners(domain_, sizes_, corners_);
   place_corner_balls();
   chains_.assign(domain_.segments.size(), {});
   for (Index s = 0; s < static_cast<Index>(chains_.size()); ++s) place_balls(s);
@@ -311,12 +354,11 @@ std::vector<Fault> Protector::run() {
 
 Border protect(const mesh::Domain& domain, mesh::SizeField& sizes) {
   Protector protector(domain, sizes, find_corners(domain));
-  protector.note_room();
+  protector.prepare();
   for (int round = 0;; ++round) {
     const std::vector<Fault> faults = protector.run();
     if (faults.empty()) return protector.take();
-    for (const Fault& fault : faults) sizes.add({fault.at, fault.at, fault.size, 0});
-    sizes.prepare();
+    protector.amend(faults);
     if (round < most_rounds) continue;
     core::Mistake mistake;
     mistake.what = "mesh.voronoi cannot follow the borders near (" + std::to_string(faults[0].at.x) + ", " +

@@ -20,13 +20,13 @@ struct Ball {
 
 struct Site {
   Point at;
-  Index face = -1;                               ///< -1: outside, its cell is thrown away
+  Index face = -1;                                ///< -1: outside, its cell is thrown away
   std::array<Index, 4> balls = {-1, -1, -1, -1};  ///< whose circles it lies on
 };
 
 /// One piece of a domain segment between neighbouring balls, in the segment's direction.
 struct Piece {
-  Index from = -1, to = -1;  ///< balls
+  Index from = -1, to = -1;     ///< balls
   Index left = -1, right = -1;  ///< faces
 };
 

@@ -8,6 +8,8 @@ namespace ashlar::meshing_voronoi {
 
 namespace {
 
+constexpr double equal = 1e-7;  // of the circumradius: nearer circumcentres are one
+
 // The ball on whose circle all three sites lie; its centre is their circumcentre.
 Index common_ball(const Site& a, const Site& b, const Site& c) {
   const auto has = [](const Site& site, Index ball) {
@@ -30,6 +32,28 @@ std::vector<Index> vertex_of_triangle(const std::vector<Triangle>& triangles, co
     cells.points.push_back(circumcentre(sites[a].at, sites[b].at, sites[c].at));
   }
   return vertex;
+}
+
+// Where more than three sites lie on one circle, several triangles have one circumcentre but for rounding.
+void join_equal_vertices(const std::vector<Triangle>& triangles, const std::vector<Site>& sites,
+                         const Cells& cells, std::vector<Index>& vertex) {
+  std::vector<Index> same(cells.points.size());
+  for (std::size_t v = 0; v < same.size(); ++v) same[v] = static_cast<Index>(v);
+  const auto root = [&](Index v) {
+    while (same[v] != v) v = same[v];
+    return v;
+  };
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const Point site = sites[triangles[t].sites[0]].at;
+    for (const Index n : triangles[t].neighbours) {
+      if (n < static_cast<Index>(t)) continue;
+      const auto [low, high] = std::minmax({root(vertex[t]), root(vertex[n])});
+      if (low == high || high < static_cast<Index>(cells.fixed_points)) continue;
+      const double radius = geometry::distance(cells.points[low], site);
+      if (geometry::distance(cells.points[low], cells.points[high]) < equal * radius) same[high] = low;
+    }
+  }
+  for (Index& v : vertex) v = root(v);
 }
 
 // Walks round a site counter-clockwise; an unbounded cell stays empty and is found by the check of areas.
@@ -56,7 +80,8 @@ Cells cut_cells(const std::vector<Site>& sites, const std::vector<Ball>& balls) 
   Cells cells;
   for (const Ball& ball : balls) cells.points.push_back(ball.center);
   cells.fixed_points = balls.size();
-  const std::vector<Index> vertex = vertex_of_triangle(triangles, sites, cells);
+  std::vector<Index> vertex = vertex_of_triangle(triangles, sites, cells);
+  join_equal_vertices(triangles, sites, cells, vertex);
   std::vector<Index> start(sites.size(), -1);
   for (std::size_t t = triangles.size(); t-- > 0;) {
     for (const Index site : triangles[t].sites) start[site] = static_cast<Index>(t);

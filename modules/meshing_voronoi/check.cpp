@@ -77,7 +77,8 @@ void check_areas(const mesh::Domain& domain, const Cells& cells, std::vector<Poi
   std::vector<Point> ring;
   for (Index c = 0; c < cells.size(); ++c) {
     ring.clear();
-    for (Index k = cells.offsets[c]; k < cells.offsets[c + 1]; ++k) ring.push_back(cells.points[cells.corners[k]]);
+    for (Index k = cells.offsets[c]; k < cells.offsets[c + 1]; ++k)
+      ring.push_back(cells.points[cells.corners[k]]);
     if (!sound(ring)) {
       faults.push_back(ring.empty() ? domain.faces[cells.faces[c]].inside : ring.front());
       continue;

@@ -10,13 +10,13 @@ namespace ashlar::meshing_voronoi {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double square = pi / 4;           // half-angle of a square corner cell
-constexpr double widest = 0.28 * pi;        // half-angles are not raised beyond this
-constexpr double straight = 0.78 * pi;      // sectors of a smooth point are at least this wide
-constexpr double acute = 0.47 * pi;         // wider sectors need no smaller balls beside them
-constexpr double apart = 0.2 * pi;          // least angle between sites of a sector that do not coincide
-constexpr double share = 0.49;              // of the distance between two segments, for each one's balls
-constexpr double same_curve = 0.6;          // chord over arc length: nearer segments belong to one curve
+constexpr double square = pi / 4;       // half-angle of a square corner cell
+constexpr double widest = 0.28 * pi;    // half-angles are not raised beyond this
+constexpr double straight = 0.78 * pi;  // sectors of a smooth point are at least this wide
+constexpr double acute = 0.47 * pi;     // wider sectors need no smaller balls beside them
+constexpr double apart = 0.2 * pi;      // least angle between sites of a sector that do not coincide
+constexpr double share = 0.49;          // of the distance between two segments, for each one's balls
+constexpr double same_curve = 0.6;      // chord over arc length: nearer segments belong to one curve
 
 void add_spokes(const mesh::Domain& domain, std::vector<Corner>& corners) {
   for (std::size_t s = 0; s < domain.segments.size(); ++s) {
@@ -104,15 +104,17 @@ double room_of_corner(const mesh::Domain& domain, Index point) {
   const Point p = domain.points[point];
   for (const auto& segment : domain.segments) {
     if (segment.from == point || segment.to == point) continue;
-    room = std::min(room, geometry::distance_to_segment(p, domain.points[segment.from],
-                                                        domain.points[segment.to]));
+    room = std::min(room,
+                    geometry::distance_to_segment(p, domain.points[segment.from], domain.points[segment.to]));
   }
   return room;
 }
 
 }  // namespace
 
-Index region_of(const mesh::Domain& domain, Index face) { return face < 0 ? -1 : domain.faces[face].region; }
+Index region_of(const mesh::Domain& domain, Index face) {
+  return face < 0 ? -1 : domain.faces[face].region;
+}
 
 std::vector<Corner> find_corners(const mesh::Domain& domain) {
   std::vector<Corner> corners(domain.points.size());

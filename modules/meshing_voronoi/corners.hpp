@@ -10,18 +10,18 @@ namespace ashlar::meshing_voronoi {
 /// One segment as it leaves a corner.
 struct Spoke {
   Index segment = -1;
-  bool outward = true;   ///< the segment starts here
-  double angle = 0;      ///< direction
-  double length = 0;     ///< of the segment
-  Index face = -1;       ///< of the sector that begins here, counter-clockwise
-  double sector = 0;     ///< its angle
-  double half = 0;       ///< angle between the spoke and the sites beside it
+  bool outward = true;  ///< the segment starts here
+  double angle = 0;     ///< direction
+  double length = 0;    ///< of the segment
+  Index face = -1;      ///< of the sector that begins here, counter-clockwise
+  double sector = 0;    ///< its angle
+  double half = 0;      ///< angle between the spoke and the sites beside it
 };
 
 struct Corner {
   std::vector<Spoke> spokes;
-  bool smooth = false;   ///< two nearly straight spokes: an ordinary point of a curve
-  double radius = 0;     ///< of its ball, unless smooth
+  bool smooth = false;  ///< two nearly straight spokes: an ordinary point of a curve
+  double radius = 0;    ///< of its ball, unless smooth
 };
 
 /// Region of a face; -1 outside.

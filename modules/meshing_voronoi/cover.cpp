@@ -10,10 +10,12 @@ namespace ashlar::meshing_voronoi {
 
 namespace {
 
-constexpr double keep_off = 1.05;   // of a ball's radius: interior sites stay farther out
-constexpr double leaf_size = 0.6;   // of the wished size
+constexpr double keep_off = 1.05;  // of a ball's radius: interior sites stay farther out
+constexpr double begin_off =
+    1.5;  // and begin farther out: a cell must fit between them and the border's cells
+constexpr double leaf_size = 0.6;  // of the wished size
 constexpr std::size_t most_leaves = 40'000'000;
-constexpr int tries = 12;           // for a free place in a leaf that balls partly cover
+constexpr int tries = 12;  // for a free place in a leaf that balls partly cover
 constexpr Index most_bands = 2048;
 
 }  // namespace
@@ -80,7 +82,9 @@ Cover::Cover(const mesh::Domain& domain, const mesh::SizeField& sizes, const Bor
   build(0, center_, half_, balls, {{1, 0}, {0, 1}});
 }
 
-double Cover::size_at(Point p, Index face) const { return sizes_.at(p, region_of(domain_, face)); }
+double Cover::size_at(Point p, Index face) const {
+  return sizes_.at(p, region_of(domain_, face));
+}
 
 void Cover::build(Index node, Point center, double half, const std::vector<Index>& balls, Turn turn) {
   // A node without balls lies in one face: borders are covered by balls.
@@ -109,16 +113,16 @@ void Cover::build(Index node, Point center, double half, const std::vector<Index
     for (const Index b : balls) {
       const double dx = std::max(0.0, std::abs(balls_[b].center.x - c.x) - h);
       const double dy = std::max(0.0, std::abs(balls_[b].center.y - c.y) - h);
-      if (std::hypot(dx, dy) <= keep_off * balls_[b].radius) inside.push_back(b);
+      if (std::hypot(dx, dy) <= begin_off * balls_[b].radius) inside.push_back(b);
     }
     build(child + (c.x > center.x ? 1 : 0) + (c.y > center.y ? 2 : 0), c, h, inside, turns[k]);
   }
 }
 
-bool Cover::in_balls(const Node& node, Point p) const {
+bool Cover::near_balls(const Node& node, Point p) const {
   for (Index k = node.begin; k < node.end; ++k) {
     const Ball& ball = balls_[lists_[k]];
-    if (geometry::distance(p, ball.center) < keep_off * ball.radius) return true;
+    if (geometry::distance(p, ball.center) < begin_off * ball.radius) return true;
   }
   return false;
 }
@@ -141,7 +145,7 @@ void Cover::add_leaf(Index node, Point center, double half, const std::vector<In
       const double size = size_at(p, face);
       const double mass = half * half / (size * size);
       cells_ += mass;
-      if (!in_balls(nodes_[node], p)) leaf.mass += mass;
+      if (!near_balls(nodes_[node], p)) leaf.mass += mass;
     }
   }
   if (leaf.mass == 0) return;
@@ -181,7 +185,7 @@ std::vector<Site> Cover::sample(Index count, std::uint64_t seed) const {
       bool placed = false;
       for (int attempt = 0; attempt < tries && !placed; ++attempt) {
         const Point p = leaf.center + leaf.half * Point{2 * random.unit() - 1, 2 * random.unit() - 1};
-        if (in_balls(nodes_[leaf.node], p)) continue;
+        if (near_balls(nodes_[leaf.node], p)) continue;
         const Index face = leaf.face >= 0 ? leaf.face : locator_.at(p);
         if (face < 0) continue;
         sites.push_back({p, face, {-1, -1, -1, -1}});

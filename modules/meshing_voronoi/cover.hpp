@@ -49,7 +49,7 @@ class Cover {
   void build(Index node, Point center, double half, const std::vector<Index>& balls, Turn turn);
   void add_leaf(Index node, Point center, double half, const std::vector<Index>& balls);
   double size_at(Point p, Index face) const;
-  bool in_balls(const Node& node, Point p) const;
+  bool near_balls(const Node& node, Point p) const;
 
   const mesh::Domain& domain_;
   const mesh::SizeField& sizes_;

@@ -17,7 +17,8 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertices = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
 using Faces = CGAL::Triangulation_face_base_with_info_2<Index, Kernel>;
-using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertices, Faces>>;
+using Delaunay =
+    CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertices, Faces>>;
 
 }  // namespace
 
@@ -30,7 +31,8 @@ std::vector<Index> curve_order(const std::vector<Point>& points) {
     order[k] = k;
   }
   const auto map = CGAL::make_property_map(copies);
-  CGAL::hilbert_sort(order.begin(), order.end(), CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(map)>(map));
+  CGAL::hilbert_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(map)>(map));
   return {order.begin(), order.end()};
 }
 

@@ -20,7 +20,8 @@ constexpr double close_enough = 0.03;  // of the wished number of cells; the res
 constexpr int most_scalings = 12;
 
 struct Plan {
-  mesh::SizeField sizes;
+  mesh::SizeField wish;   ///< as the user said, and finer where repairs need it
+  mesh::SizeField sizes;  ///< limited by the room that borders leave
   Border border;
   Index inside = 0;  ///< border sites that get cells
   Index free = 0;    ///< interior sites
@@ -61,18 +62,19 @@ double wished_cells(const mesh::Domain& domain, const Plan& plan, const Cover& c
   return cover.cells() - worth(domain, plan.sizes, plan.border) + plan.inside;
 }
 
-Plan plan_sizes(const mesh::Domain& domain, mesh::SizeField sizes) {
+Plan plan_sizes(const mesh::Domain& domain, mesh::SizeField wish) {
+  mesh::SizeField sizes = wish;
   Border border = protect(domain, sizes);
   const Index inside = count_inside(border);
-  return {std::move(sizes), std::move(border), inside, 0};
+  return {std::move(wish), std::move(sizes), std::move(border), inside, 0};
 }
 
 double area_of(const mesh::Domain& domain) {
   double area = 0;
   const Point origin = domain.points.front();
   for (const auto& segment : domain.segments) {
-    const double half = 0.5 * geometry::cross(domain.points[segment.from] - origin,
-                                              domain.points[segment.to] - origin);
+    const double half =
+        0.5 * geometry::cross(domain.points[segment.from] - origin, domain.points[segment.to] - origin);
     if (region_of(domain, segment.left) >= 0) area += half;
     if (region_of(domain, segment.right) >= 0) area -= half;
   }
@@ -135,7 +137,8 @@ mesh::RawMesh to_raw(const mesh::Domain& domain, const Cells& cells) {
   return raw;
 }
 
-void add_notes(mesh::RawMesh& raw, const core::Settings& settings, const Plan& plan, Index collapsed, int repairs) {
+void add_notes(mesh::RawMesh& raw, const core::Settings& settings, const Plan& plan, Index collapsed,
+               int repairs) {
   double least = std::numeric_limits<double>::infinity(), greatest = 0;
   for (std::size_t c = 0; c < raw.cell_region.size(); ++c) {
     const Point p = raw.points[raw.cell_points[static_cast<Index>(c)][0]];
@@ -151,7 +154,8 @@ void add_notes(mesh::RawMesh& raw, const core::Settings& settings, const Plan& p
   if (repairs > 0) raw.notes.push_back({"local refinements to follow borders", std::to_string(repairs)});
   const Index made = raw.cell_points.size();
   if (settings.has("cells") && made != settings.integer("cells")) {
-    raw.notes.push_back({"cells", std::to_string(made) + " instead of " + std::to_string(settings.integer("cells"))});
+    raw.notes.push_back(
+        {"cells", std::to_string(made) + " instead of " + std::to_string(settings.integer("cells"))});
   }
 }
 
@@ -171,13 +175,14 @@ mesh::RawMesh generate(const mesh::Domain& domain, const core::Settings& setting
     }
     if (repairs == most_repairs) {
       fail(settings.place,
-           "mesh.voronoi cannot make sound cells near (" + number(faults[0].x) + ", " + number(faults[0].y) + ")",
+           "mesh.voronoi cannot make sound cells near (" + number(faults[0].x) + ", " + number(faults[0].y) +
+               ")",
            "look for details that are very small, or choose another seed");
     }
     const Index wanted = plan.free < 0 ? -1 : plan.free + plan.inside;
-    for (const Point fault : faults) plan.sizes.add({fault, fault, 0.5 * plan.sizes.at(fault, -1), 0});
-    plan.sizes.prepare();
-    plan = plan_sizes(domain, std::move(plan.sizes));
+    for (const Point fault : faults) plan.wish.add({fault, fault, 0.5 * plan.sizes.at(fault, -1), 0});
+    plan.wish.prepare();
+    plan = plan_sizes(domain, std::move(plan.wish));
     plan.free = wanted < 0 ? -1 : std::max(0, wanted - plan.inside);
   }
 }
@@ -185,5 +190,6 @@ mesh::RawMesh generate(const mesh::Domain& domain, const core::Settings& setting
 }  // namespace ashlar::meshing_voronoi
 
 ASHLAR_MODULE(registry) {
-  registry.add_make("mesh", "voronoi", std::function<ashlar::mesh::GenerateMesh>(ashlar::meshing_voronoi::generate));
+  registry.add_make("mesh", "voronoi",
+                    std::function<ashlar::mesh::GenerateMesh>(ashlar::meshing_voronoi::generate));
 }

@@ -26,11 +26,11 @@ inline geometry::Shape without(geometry::Shape from, geometry::Shape what) {
 
 /// Example 4 of the paper: dam on a jointed foundation; the joint's tip is at (10, 4).
 inline Domain jointed_dam() {
-  return zoo_domain({region("rock", polygon({{0, 0}, {25, 0}, {25, 10}, {0, 10}},
-                                            {"bottom", "right", "ground", "left"})),
-                     region("dam", polygon({{10, 10}, {15, 10}, {12, 15}, {10, 15}},
-                                           {"base", "downstream", "crest", "upstream"}))},
-                    {joint("fault", {{4, 10}, {10, 4}})});
+  return zoo_domain(
+      {region("rock", polygon({{0, 0}, {25, 0}, {25, 10}, {0, 10}}, {"bottom", "right", "ground", "left"})),
+       region("dam", polygon({{10, 10}, {15, 10}, {12, 15}, {10, 15}},
+                             {"base", "downstream", "crest", "upstream"}))},
+      {joint("fault", {{4, 10}, {10, 4}})});
 }
 
 inline Domain wedge() {
@@ -52,11 +52,12 @@ struct Named {
 inline std::vector<Named> zoo() {
   std::vector<Named> all;
   all.push_back({"jointed_dam", jointed_dam(), 0.6});
-  all.push_back({"l_shape", zoo_domain({region("l", polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}))}),
-                 0.1});
-  all.push_back({"plate_with_hole", zoo_domain({region("plate", without(rectangle(4, 4), circle({2, 2}, 0.5)))}),
-                 0.2});
-  all.push_back({"annulus", zoo_domain({region("ring", without(circle({0, 0}, 2), circle({0, 0}, 1)))}), 0.15});
+  all.push_back(
+      {"l_shape", zoo_domain({region("l", polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}))}), 0.1});
+  all.push_back(
+      {"plate_with_hole", zoo_domain({region("plate", without(rectangle(4, 4), circle({2, 2}, 0.5)))}), 0.2});
+  all.push_back(
+      {"annulus", zoo_domain({region("ring", without(circle({0, 0}, 2), circle({0, 0}, 1)))}), 0.15});
   all.push_back({"crossing_joints",
                  zoo_domain({region("block", rectangle(4, 4))},
                             {joint("x", {{0.5, 0.5}, {3.5, 3.5}}), joint("y", {{0.5, 3}, {3.5, 1}}),
@@ -65,8 +66,10 @@ inline std::vector<Named> zoo() {
   all.push_back({"wedge", wedge(), 0.2});
   all.push_back({"layered", layered(), 0.3});
   all.push_back({"steep_joint",
-                 zoo_domain({region("block", rectangle(4, 2))}, {joint("flat", {{0.5, 2}, {3, 1.75}})}), 0.2});
-  all.push_back({"detail", zoo_domain({region("block", without(rectangle(4, 4), circle({2, 2}, 0.01)))}), 0.4});
+                 zoo_domain({region("block", rectangle(4, 2))}, {joint("flat", {{0.5, 2}, {3, 1.75}})}),
+                 0.2});
+  all.push_back(
+      {"detail", zoo_domain({region("block", without(rectangle(4, 4), circle({2, 2}, 0.01)))}), 0.4});
   return all;
 }
 
@@ -99,9 +102,8 @@ class GeneratorSettings {
 /// One item of `refine`: { what = target, size = size, radius = radius }.
 inline core::Value refinement(const std::string& what, core::Value target, double size, double radius) {
   core::Table table;
-  table.entries = {{what, std::move(target)},
-                   {"size", core::make_value(size)},
-                   {"radius", core::make_value(radius)}};
+  table.entries = {
+      {what, std::move(target)}, {"size", core::make_value(size)}, {"radius", core::make_value(radius)}};
   return core::make_value(std::move(table));
 }
 
@@ -111,6 +113,8 @@ inline core::Value list_of(std::vector<core::Value> items) {
   return core::make_value(std::move(table));
 }
 
-inline core::Value point_value(Point p) { return list_of({core::make_value(p.x), core::make_value(p.y)}); }
+inline core::Value point_value(Point p) {
+  return list_of({core::make_value(p.x), core::make_value(p.y)});
+}
 
 }  // namespace ashlar::mesh
