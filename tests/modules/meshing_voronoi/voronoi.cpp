@@ -82,23 +82,29 @@ core::Value function_value(std::shared_ptr<const core::Function> function) {
   return value;
 }
 
-// A star-shaped polygon and a few joints from its inside, anywhere.
+// A star-shaped polygon and up to four joints that do not leave it; some end on its border.
 Domain random_domain(unsigned seed) {
   std::mt19937 random(seed);
   const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
-  const int corners = 3 + static_cast<int>(unit() * 9);
-  std::vector<Point> polygon_points;
-  for (int k = 0; k < corners; ++k) {
-    const double angle = 2 * M_PI * (k + 0.8 * unit()) / corners, radius = 2 + 3 * unit();
-    polygon_points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-  }
-  std::vector<JointLine> joints;
-  const int count = static_cast<int>(unit() * 4);
+  const int count = 4 + static_cast<int>(unit() * 9);
+  std::vector<Point> corners;
   for (int k = 0; k < count; ++k) {
-    const Point from{3 * unit() - 1.5, 3 * unit() - 1.5}, to{12 * unit() - 6, 12 * unit() - 6};
-    joints.push_back(joint("j" + std::to_string(k), {from, to}));
+    const double angle = 2 * M_PI * (k + 0.8 * unit()) / count, radius = 1 + 4 * unit();
+    corners.push_back({radius * std::cos(angle), radius * std::sin(angle)});
   }
-  return zoo_domain({region("body", polygon(polygon_points))}, joints);
+  const auto inside = [&] {
+    const int k = static_cast<int>(unit() * count);
+    const double u = unit(), scale = std::min(1.0, 1.4 * unit());
+    return scale * ((1 - u) * corners[k] + u * corners[(k + 1) % count]);
+  };
+  std::vector<JointLine> joints;
+  for (int tries = 0; tries < 6 && joints.size() < 4; ++tries) {
+    joints.push_back(joint("j" + std::to_string(tries), {inside(), inside()}));
+    core::Mistakes mistakes;
+    make_domain({region("body", polygon(corners))}, joints, 0.25, mistakes);
+    if (!mistakes.empty()) joints.pop_back();
+  }
+  return zoo_domain({region("body", polygon(corners))}, joints);
 }
 
 }  // namespace
