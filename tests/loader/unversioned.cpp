@@ -1,0 +1,3 @@
+#include "core/registry.hpp"
+
+extern "C" void register_module(ashlar::core::Registry&) {}
