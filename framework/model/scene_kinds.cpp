@@ -167,7 +167,7 @@ void add_outputs(core::Registry& registry) {
             each(parameter("", Form::text, "")) | otherwise(make_value(true)),
         parameter("formats", Form::list, "kinds of files") |
             each(parameter("", Form::text, "") | one_of({"hdf5", "vtu", "csv", "png", "svg"})) |
-            otherwise(words({"hdf5", "vtu", "csv", "png", "svg"}))}});
+            otherwise(words({"hdf5", "vtu", "csv", "png"}))}});
 }
 
 Schema scene() {

@@ -1,0 +1,169 @@
+#include "output/json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace ashlar::output {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json object() {
+  return Json::object();
+}
+
+Json resultant(const model::Resultant& force) {
+  return Json{{"x", force.x}, {"y", force.y}, {"moment", force.moment}};
+}
+
+Json probes(const model::StageResult& stage) {
+  Json json = object();
+  for (const model::ProbeResult& probe : stage.probes) {
+    Json& each = json[probe.name];
+    each = Json{{"x", probe.at.x}, {"y", probe.at.y}};
+    for (const auto& [quantity, value] : probe.values) each[quantity] = value;
+  }
+  return json;
+}
+
+Json profile(const model::JointResult& joint) {
+  Json rows = Json::array();
+  for (const auto& row : joint.rows)
+    rows.push_back({{"s", row.s},
+                    {"x", row.at.x},
+                    {"y", row.at.y},
+                    {"opening", row.opening},
+                    {"slip", row.slip},
+                    {"pressure", row.pressure},
+                    {"closed", row.closed},
+                    {"piece", row.piece}});
+  return rows;
+}
+
+Json joints(const model::StageResult& stage) {
+  Json json = object();
+  for (const model::JointResult& joint : stage.joints)
+    json[joint.name] = {{"normal_force", joint.normal_force},
+                        {"resultant", resultant(joint.resultant)},
+                        {"max_slip", joint.max_slip},
+                        {"max_opening", joint.max_opening},
+                        {"max_penetration", joint.max_penetration},
+                        {"penetration_over_h", joint.penetration_over_h},
+                        {"max_pressure", joint.max_pressure},
+                        {"closed", joint.closed},
+                        {"points", joint.points},
+                        {"profile", profile(joint)}};
+  return json;
+}
+
+Json balance(const model::Balance& balance) {
+  Json loads = object(), reactions = object();
+  for (const auto& [name, force] : balance.loads) loads[name] = resultant(force);
+  for (const auto& [name, force] : balance.reactions) reactions[name] = resultant(force);
+  return Json{{"loads", loads},
+              {"reactions", reactions},
+              {"load", resultant(balance.load)},
+              {"reaction", resultant(balance.reaction)},
+              {"relative_error", balance.relative_error}};
+}
+
+Json iterations(const model::StageResult& stage) {
+  Json rows = Json::array();
+  for (const model::Iteration& iteration : stage.iterations) {
+    Json row = {{"step", iteration.step}, {"number", iteration.number}, {"residual", iteration.residual}};
+    for (const auto& [fact, value] : iteration.facts) row[fact] = value;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json extremes(const model::StageResult& stage) {
+  Json json = object();
+  for (const model::Extreme& extreme : stage.extremes)
+    json[extreme.quantity] = {{"unit", extreme.unit},
+                              {"least", extreme.least},
+                              {"least_at", {extreme.least_at.x, extreme.least_at.y}},
+                              {"greatest", extreme.greatest},
+                              {"greatest_at", {extreme.greatest_at.x, extreme.greatest_at.y}}};
+  return json;
+}
+
+Json stage_json(const model::StageResult& stage) {
+  Json json = {{"name", stage.name}, {"converged", stage.converged}};
+  if (!stage.converged) json["reason"] = stage.reason;
+  json["effects"] = stage.effects;
+  json["probes"] = probes(stage);
+  json["joints"] = joints(stage);
+  json["balance"] = balance(stage.balance);
+  json["iterations"] = iterations(stage);
+  json["extremes"] = extremes(stage);
+  json["solve"] = {{"unknowns", stage.unknowns},
+                   {"kept", stage.kept},
+                   {"factored", stage.factored},
+                   {"solver", stage.solver},
+                   {"backward_error", stage.backward_error}};
+  return json;
+}
+
+Json mesh_json(const mesh::MeshReport& report) {
+  Json json = {{"cells", report.cells},
+               {"points", report.points},
+               {"edges", report.edges},
+               {"area", report.area},
+               {"size_min", report.size_min},
+               {"size_mean", report.size_mean},
+               {"size_max", report.size_max},
+               {"corners_min", report.corners_min},
+               {"corners_mean", report.corners_mean},
+               {"corners_max", report.corners_max},
+               {"shortest_edge", report.shortest_edge},
+               {"shortest_edge_ratio", report.shortest_edge_ratio},
+               {"roundness_min", report.roundness_min},
+               {"roundness_mean", report.roundness_mean}};
+  json["notes"] = object();
+  for (const auto& [name, text] : report.notes) json["notes"][name] = text;
+  return json;
+}
+
+Json timings(const core::Ledger& ledger) {
+  Json rows = Json::array();
+  for (const core::Cost& cost : ledger.rows())
+    rows.push_back({{"phase", cost.phase},
+                    {"effect", cost.effect},
+                    {"wall", cost.wall},
+                    {"cpu", cost.cpu},
+                    {"calls", cost.calls},
+                    {"bytes", cost.bytes},
+                    {"unknowns", cost.unknowns}});
+  return rows;
+}
+
+Json effects(const model::Plan& plan) {
+  Json simulated = object(), left_out = object();
+  for (const model::StagePlan& stage : plan.stages)
+    for (const model::Call& call : stage.calls)
+      simulated[stage.stage][call.effect] = {{"module", call.module}, {"called_by", to_string(call.place)}};
+  for (const core::EffectEntry& effect : plan.left_out) left_out[effect.name] = effect.left_out;
+  return Json{{"simulated", simulated}, {"left_out", left_out}};
+}
+
+}  // namespace
+
+std::string results_json(const RunRecord& record) {
+  Json json = {{"title", record.scene.title}, {"converged", record.result.converged}};
+  json["stages"] = Json::array();
+  for (const model::StageResult& stage : record.result.stages) json["stages"].push_back(stage_json(stage));
+  json["mesh"] = mesh_json(record.mesh_report);
+  json["timings"] = timings(record.ledger);
+  json["memory"] = {{"peak_bytes", core::peak_memory()}};
+  json["effects"] = effects(record.plan);
+  json["parameters"] = object();
+  for (const ParameterValue& parameter : record.parameters)
+    json["parameters"][parameter.name] = parameter.value;
+  json["versions"] = object();
+  for (const auto& [name, version] : record.versions) json["versions"][name] = version;
+  // Names may hold bytes that are no UTF-8; they must not cost a run its results.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ashlar::output

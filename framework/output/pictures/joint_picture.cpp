@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "output/files.hpp"
+#include "output/pictures/canvas.hpp"
+#include "output/pictures/pictures.hpp"
+#include "output/pictures/scale.hpp"
+
+namespace ashlar::output {
+
+using geometry::Point;
+using model::JointResult;
+
+namespace {
+
+constexpr double left = 52, right = page_width - 14, first_top = 50, panel = 84, gap = 15, foot = 34;
+const LineStyle axis_line{{0.13, 0.14, 0.16}, 0.6};
+const LineStyle grid_line{{0.86, 0.87, 0.88}, 0.45};
+const TextStyle tick_style{7.5};
+
+TextStyle aligned(TextStyle style, Align align) {
+  style.align = align;
+  return style;
+}
+
+struct Quantity {
+  const char* name;
+  const char* symbol;
+  const char* unit;
+  double JointResult::Row::*value;
+};
+constexpr std::array<Quantity, 3> quantities = {
+    {{"opening", "opening", "m", &JointResult::Row::opening},
+     {"slip", "slip", "m", &JointResult::Row::slip},
+     {"pressure", "pressure", "Pa", &JointResult::Row::pressure}}};
+
+/// One stage's profile.
+struct Curve {
+  std::string stage;
+  const JointResult* joint = nullptr;
+  Color color;
+};
+
+std::vector<Curve> curves_of(const model::RunResult& result, const std::string& name) {
+  std::vector<Curve> curves;
+  for (const model::StageResult& stage : result.stages)
+    for (const JointResult& joint : stage.joints)
+      if (joint.name == name && !joint.rows.empty()) curves.push_back({stage.name, &joint, {}});
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    curves[i].color = curve_color(static_cast<int>(i), static_cast<int>(curves.size()));
+  return curves;
+}
+
+// The quantities that outputs.joints names for this joint; all if it names none.
+std::vector<Quantity> chosen(const model::Scene& scene, const std::string& joint) {
+  for (const core::Settings::Entry& entry : scene.outputs.entries) {
+    const core::Table* joints = entry.key == "joints" ? entry.value.table() : nullptr;
+    const core::Value* said = joints ? joints->find(joint) : nullptr;
+    if (!said || !said->table()) continue;
+    std::vector<Quantity> list;
+    for (const Quantity& q : quantities)
+      for (const core::Value& item : said->table()->items)
+        if (item.text() && *item.text() == q.name) list.push_back(q);
+    if (!list.empty()) return list;
+  }
+  return {quantities.begin(), quantities.end()};
+}
+
+/// One set of axes: s to the right, a quantity upward.
+struct Panel {
+  double top = 0;
+  double s_low = 0, s_high = 1, low = 0, high = 1;
+  Point at(double s, double value) const {
+    return {left + (s - s_low) / (s_high - s_low) * (right - left),
+            top + panel - (value - low) / (high - low) * panel};
+  }
+};
+
+Panel make_panel(const std::vector<Curve>& curves, const Quantity& quantity, double top) {
+  Panel p{top, 1e300, -1e300, 0, 0};
+  for (const Curve& curve : curves)
+    for (const JointResult::Row& row : curve.joint->rows) {
+      p.s_low = std::min(p.s_low, row.s);
+      p.s_high = std::max(p.s_high, row.s);
+      const double value = row.*quantity.value;
+      if (!std::isfinite(value)) continue;
+      p.low = std::min(p.low, value);
+      p.high = std::max(p.high, value);
+    }
+  if (!(p.s_high > p.s_low)) p.s_high = p.s_low + 1;
+  if (!(p.high > p.low)) p.high = p.low + 1;
+  const double room = 0.07 * (p.high - p.low);
+  if (p.low < 0) p.low -= room;
+  p.high += room;
+  return p;
+}
+
+void draw_curve(Canvas& canvas, const Panel& panel_axes, const Curve& curve, const Quantity& quantity) {
+  std::vector<Point> line;
+  const auto& rows = curve.joint->rows;
+  for (std::size_t i = 0; i <= rows.size(); ++i) {
+    const bool ends = i == rows.size() || (i > 0 && rows[i].piece != rows[i - 1].piece);
+    if (ends) {
+      canvas.polyline(line, {curve.color, 1.25});
+      line.clear();
+    }
+    if (i < rows.size()) line.push_back(panel_axes.at(rows[i].s, rows[i].*quantity.value));
+  }
+  // Few points are points: show where they are.
+  if (rows.size() > 40) return;
+  for (const JointResult::Row& row : rows)
+    canvas.disc(panel_axes.at(row.s, row.*quantity.value), 1.3, curve.color, {{1, 1, 1}, 0.3});
+}
+
+void draw_panel(Canvas& canvas, const std::vector<Curve>& curves, const Quantity& quantity, double top,
+                bool last) {
+  const Panel axes = make_panel(curves, quantity, top);
+  const UnitScale unit = unit_scale(quantity.unit, std::max(std::abs(axes.low), std::abs(axes.high)));
+  const auto marks = ticks(axes.low / unit.factor, axes.high / unit.factor, 4);
+  const double step = marks.size() > 1 ? marks[1] - marks[0] : 1;
+  for (const double value : marks) {
+    const Point at = axes.at(axes.s_low, value * unit.factor);
+    const bool zero = std::abs(value) < 1e-9 * step;
+    canvas.line({left, at.y}, {right, at.y}, zero ? LineStyle{{0.6, 0.61, 0.63}, 0.55} : grid_line);
+    canvas.line({left - 2.6, at.y}, {left, at.y}, axis_line);
+    canvas.text(left - 5, at.y + 2.7, tick_text(value, step), aligned(tick_style, Align::right));
+  }
+  for (const Curve& curve : curves) draw_curve(canvas, axes, curve, quantity);
+  const Point ring[] = {{left, top}, {right, top}, {right, top + panel}, {left, top + panel}};
+  canvas.polyline(ring, axis_line, true);
+  const auto places = ticks(axes.s_low, axes.s_high, 8);
+  for (const double s : places) {
+    const double x = axes.at(s, axes.low).x;
+    canvas.line({x, top + panel}, {x, top + panel + 2.6}, axis_line);
+    if (last)
+      canvas.text(x, top + panel + 11, tick_text(s, places.size() > 1 ? places[1] - places[0] : 1),
+                  aligned(tick_style, Align::center));
+  }
+  TextStyle turned = aligned({8.5}, Align::center);
+  turned.turn = 1;
+  canvas.text(15, top + panel / 2, std::string(quantity.symbol) + " [" + unit.name + "]", turned);
+}
+
+// Stages in a row; what does not fit goes without a word in the picture, but not in the CSV.
+void draw_legend(Canvas& canvas, const std::vector<Curve>& curves) {
+  double x = left;
+  for (const Curve& curve : curves) {
+    const double width = canvas.text_width(curve.stage, tick_style);
+    if (x + 18 + width > right) return;
+    canvas.line({x, 40}, {x + 13, 40}, {curve.color, 1.5});
+    canvas.text(x + 17, 42.6, curve.stage, tick_style);
+    x += 17 + width + 14;
+  }
+}
+
+}  // namespace
+
+Picture joint_picture(const model::Scene& scene, const model::RunResult& result, const std::string& joint) {
+  const std::vector<Curve> curves = curves_of(result, joint);
+  if (curves.empty()) return {};
+  const std::vector<Quantity> list = chosen(scene, joint);
+  const double height = first_top + panel * list.size() + gap * (list.size() - 1) + foot;
+  return {"joint_" + file_name(joint), height, [&scene, joint, curves, list](Canvas& canvas) {
+            const TextStyle large{10.5}, small{7.5, {0.38, 0.40, 0.43}};
+            canvas.text(12, 14.5, canvas.fitted("Joint " + joint, page_width - 24, large), large);
+            canvas.text(12, 26, canvas.fitted(scene.title, page_width - 24, small), small);
+            draw_legend(canvas, curves);
+            for (std::size_t i = 0; i < list.size(); ++i)
+              draw_panel(canvas, curves, list[i], first_top + i * (panel + gap), i + 1 == list.size());
+            canvas.text((left + right) / 2, first_top + panel * list.size() + gap * (list.size() - 1) + 23,
+                        "distance along the joint *s* [m]", aligned({8.5}, Align::center));
+          }};
+}
+
+}  // namespace ashlar::output

@@ -1,0 +1,100 @@
+#include "output/pictures/scale.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace ashlar::output {
+
+namespace {
+
+constexpr double margin = 1e-9;  ///< keeps 0.30000000000000004 from being above 0.3
+
+std::string with_minus(std::string text) {
+  if (!text.empty() && text[0] == '-') text.replace(0, 1, "\u2212");
+  return text;
+}
+
+}  // namespace
+
+UnitScale unit_scale(const std::string& unit, double greatest) {
+  struct Prefix {
+    const char* name;
+    double factor;
+  };
+  static constexpr std::array<Prefix, 7> prefixes = {
+      {{"n", 1e-9}, {"µ", 1e-6}, {"m", 1e-3}, {"", 1}, {"k", 1e3}, {"M", 1e6}, {"G", 1e9}}};
+  if (unit.empty() || !(greatest > 0) || !std::isfinite(greatest)) return {1, unit};
+  const bool large = unit[0] == 'P' || unit[0] == 'N';
+  const std::size_t from = large ? 3 : 0, to = large ? 6 : 3;
+  std::size_t best = from;
+  for (std::size_t i = from; i <= to; ++i)
+    if (greatest >= prefixes[i].factor * (1 - margin)) best = i;
+  return {prefixes[best].factor, prefixes[best].name + unit};
+}
+
+double round_up(double x) {
+  const double power = std::pow(10, std::floor(std::log10(x)));
+  for (const double m : {1.0, 2.0, 2.5, 5.0})
+    if (m * power >= x * (1 - margin)) return m * power;
+  return 10 * power;
+}
+
+double round_down(double x) {
+  const double power = std::pow(10, std::floor(std::log10(x)));
+  for (const double m : {5.0, 2.0})
+    if (m * power <= x * (1 + margin)) return m * power;
+  return power;
+}
+
+std::vector<double> ticks(double low, double high, int count) {
+  std::vector<double> values;
+  if (!(high > low)) return {low};
+  const double step = round_up((high - low) / count);
+  const double first = std::ceil(low / step - 1e-6), last = std::floor(high / step + 1e-6);
+  for (double i = first; i <= last; ++i) values.push_back(i * step);
+  return values;
+}
+
+std::string tick_text(double value, double step) {
+  int decimals = 0;
+  for (double s = std::abs(step); decimals < 12 && std::abs(s - std::round(s)) > 1e-6 * std::abs(s); s *= 10)
+    ++decimals;
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  std::string result = text.data();
+  if (result.find_first_not_of("-0.") == std::string::npos && result[0] == '-') result.erase(0, 1);
+  return with_minus(result);
+}
+
+std::string value_text(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return with_minus(text.data());
+}
+
+Bands make_bands(double low, double high, double least, double greatest) {
+  const double largest = std::max(std::abs(low), std::abs(high));
+  // A field that is one number but for round-off is one band.
+  if (!(high - low > 1e-9 * largest)) {
+    const double step = largest > 0 ? round_up(largest) : 1;
+    return {low - step / 2, step, {sequential(0.5)}, false, false};
+  }
+  Bands bands;
+  bands.step = round_up((high - low) / 11);
+  const double from = std::floor(low / bands.step + 1e-6), to = std::ceil(high / bands.step - 1e-6);
+  bands.first = from * bands.step;
+  const int count = static_cast<int>(to - from);
+  const bool two_sided = std::min(-low, high) > 0.12 * std::max(-low, high);
+  const double reach = std::max(-from, to);
+  for (int i = 0; i < count; ++i)
+    bands.colors.push_back(two_sided ? diverging((from + i + 0.5) / reach)
+                                     : sequential(count == 1 ? 0.5 : static_cast<double>(i) / (count - 1)));
+  const double slack = 1e-6 * bands.step;
+  bands.open_below = least < bands.first - slack;
+  bands.open_above = greatest > bands.edge(count) + slack;
+  return bands;
+}
+
+}  // namespace ashlar::output

@@ -1,0 +1,29 @@
+#pragma once
+// What a run says at its end, for people: at most 96 columns, aligned, engineering units. Each function
+// builds one paragraph (empty if it has nothing to say).
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "output/record.hpp"
+
+namespace ashlar::output {
+
+/// All paragraphs in order.
+std::string summary(const RunRecord& record, const std::vector<std::filesystem::path>& files);
+
+/// Which effects each stage had, and what was left out and when that matters.
+std::string simulated_text(const model::Plan& plan);
+std::string mesh_text(const mesh::MeshReport& report, const model::Model& model);
+/// Loads against reactions, one block a stage.
+std::string balance_text(const model::RunResult& result);
+/// Least and greatest values of the last stage with their places.
+std::string extremes_text(const model::RunResult& result);
+std::string joints_text(const model::RunResult& result);
+std::string iterations_text(const model::RunResult& result);
+/// Time by phase and effect, memory at its peak.
+std::string costs_text(const core::Ledger& ledger);
+std::string files_text(const std::vector<std::filesystem::path>& files);
+
+}  // namespace ashlar::output

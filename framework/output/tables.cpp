@@ -1,0 +1,104 @@
+#include "output/tables.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "output/files.hpp"
+
+namespace ashlar::output {
+
+using model::Iteration;
+using model::JointResult;
+using model::ProbeResult;
+using model::RunResult;
+using model::StageResult;
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string quantity_unit(const std::string& quantity) {
+  if (quantity == "ux" || quantity == "uy" || quantity == "u") return "m";
+  const bool stress = quantity.size() >= 2 && quantity.size() <= 3 && quantity[0] == 's' &&
+                      (quantity[1] == 'x' || quantity[1] == 'y' || quantity[1] == 'z' ||
+                       (quantity[1] >= '1' && quantity[1] <= '3'));
+  return stress || quantity == "pressure" ? "Pa" : "";
+}
+
+std::vector<std::string> joint_names(const RunResult& result) {
+  std::vector<std::string> names;
+  for (const StageResult& stage : result.stages)
+    for (const JointResult& joint : stage.joints)
+      if (std::find(names.begin(), names.end(), joint.name) == names.end()) names.push_back(joint.name);
+  return names;
+}
+
+std::string probes_csv(const RunResult& result) {
+  std::set<std::string> quantities;
+  for (const StageResult& stage : result.stages)
+    for (const ProbeResult& probe : stage.probes)
+      for (const auto& [quantity, value] : probe.values) quantities.insert(quantity);
+  std::string text = "stage,probe,x [m],y [m]";
+  for (const std::string& quantity : quantities) {
+    const std::string unit = quantity_unit(quantity);
+    text += "," + csv_field(unit.empty() ? quantity : quantity + " [" + unit + "]");
+  }
+  text += "\n";
+  for (const StageResult& stage : result.stages)
+    for (const ProbeResult& probe : stage.probes) {
+      text += csv_field(stage.name) + "," + csv_field(probe.name) + "," + shortest(probe.at.x) + "," +
+              shortest(probe.at.y);
+      for (const std::string& quantity : quantities) {
+        const auto found = probe.values.find(quantity);
+        text += found == probe.values.end() ? "," : "," + shortest(found->second);
+      }
+      text += "\n";
+    }
+  return text;
+}
+
+std::string joint_csv(const RunResult& result, const std::string& name) {
+  std::string text = "stage,s [m],x [m],y [m],opening [m],slip [m],pressure [Pa],closed,piece\n";
+  bool any = false;
+  for (const StageResult& stage : result.stages)
+    for (const JointResult& joint : stage.joints) {
+      if (joint.name != name) continue;
+      any = true;
+      const std::string first = csv_field(stage.name);
+      for (const JointResult::Row& row : joint.rows) {
+        text += first;
+        for (const double value : {row.s, row.at.x, row.at.y, row.opening, row.slip, row.pressure})
+          text += "," + shortest(value);
+        text += std::string(row.closed ? ",1," : ",0,") + std::to_string(row.piece) + "\n";
+      }
+    }
+  return any ? text : std::string();
+}
+
+std::string iterations_csv(const RunResult& result) {
+  std::vector<std::string> facts;
+  for (const StageResult& stage : result.stages)
+    for (const Iteration& iteration : stage.iterations)
+      for (const auto& [fact, value] : iteration.facts)
+        if (std::find(facts.begin(), facts.end(), fact) == facts.end()) facts.push_back(fact);
+  std::string text = "stage,step,iteration,residual";
+  for (const std::string& fact : facts) text += "," + csv_field(fact);
+  text += "\n";
+  for (const StageResult& stage : result.stages)
+    for (const Iteration& iteration : stage.iterations) {
+      text += csv_field(stage.name) + "," + std::to_string(iteration.step) + "," +
+              std::to_string(iteration.number) + "," + shortest(iteration.residual);
+      for (const std::string& fact : facts) {
+        const auto found = std::find_if(iteration.facts.begin(), iteration.facts.end(),
+                                        [&](const auto& each) { return each.first == fact; });
+        text += found == iteration.facts.end() ? "," : "," + shortest(found->second);
+      }
+      text += "\n";
+    }
+  return text;
+}
+
+}  // namespace ashlar::output

@@ -1,0 +1,29 @@
+#pragma once
+// Results as CSV: one header row, comma, point as decimal sign, SI units in the header, numbers that read
+// back exactly. What a stage does not have stays empty.
+
+#include <string>
+
+#include "model/results.hpp"
+
+namespace ashlar::output {
+
+/// One row per stage and probe: stage, probe, place, then the quantities.
+std::string probes_csv(const model::RunResult& result);
+
+/// One row per stage and point of the joint, long format. Empty if no stage has this joint.
+std::string joint_csv(const model::RunResult& result, const std::string& joint);
+
+/// One row per stage, step and iteration: residual and the facts that the terms gave.
+std::string iterations_csv(const model::RunResult& result);
+
+/// Names of all joints in the results, in the order of their first appearance.
+std::vector<std::string> joint_names(const model::RunResult& result);
+
+/// SI unit of a probed quantity or an iteration's fact: "m" for "ux", "Pa" for "sxx"; "" if unknown.
+std::string quantity_unit(const std::string& quantity);
+
+/// A text as one CSV field, quoted if it must be.
+std::string csv_field(const std::string& text);
+
+}  // namespace ashlar::output
