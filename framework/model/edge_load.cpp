@@ -1,0 +1,108 @@
+#include "model/edge_load.hpp"
+
+#include <algorithm>
+
+#include "core/log.hpp"
+#include "geometry/quadrature.hpp"
+
+namespace ashlar::model {
+
+namespace {
+
+/// Parameters in [0, 1] between which the traction is one polynomial, ascending.
+std::vector<double> pieces(Point start, Point end, const std::vector<double>& kinks) {
+  std::vector<double> cuts{0.0, 1.0};
+  for (const double y : kinks) {
+    const bool crosses = (start.y < y && y < end.y) || (end.y < y && y < start.y);
+    if (crosses) cuts.push_back(std::clamp((y - start.y) / (end.y - start.y), 0.0, 1.0));
+  }
+  std::sort(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+/// First dof of each node along an edge, in the order of Element::edge_shape.
+std::vector<Index> edge_dofs(const Model& model, Index edge) {
+  const auto [from, to] = model.mesh.edge_points[edge];
+  std::vector<Index> dofs{model.dofs.of_point(from), model.dofs.of_point(to)};
+  for (int node = 0; node < model.dofs.field().per_edge; ++node)
+    dofs.push_back(model.dofs.of_edge(edge, node));
+  return dofs;
+}
+
+std::vector<std::string> group_names(const mesh::Mesh& mesh) {
+  std::vector<std::string> names;
+  for (const auto& [name, edges] : mesh.edge_groups) names.push_back(name);
+  return names;
+}
+
+}  // namespace
+
+void add_traction(const Model& model, Index edge, const EdgeTraction& traction, std::span<double> force) {
+  const auto [from, to] = model.mesh.edge_points[edge];
+  const Point start = model.mesh.points[from], end = model.mesh.points[to];
+  const double length = geometry::distance(start, end);
+  const Point outward = (-1 / length) * geometry::left_of(end - start);
+  const std::vector<Index> dofs = edge_dofs(model, edge);
+  const geometry::Rule& rule = geometry::gauss_legendre(traction.degree + model.element->order());
+  const std::vector<double> cuts = pieces(start, end, traction.kinks);
+  std::vector<double> shape(dofs.size());
+  for (std::size_t piece = 0; piece + 1 < cuts.size(); ++piece) {
+    const double width = cuts[piece + 1] - cuts[piece];
+    for (std::size_t g = 0; g < rule.at.size(); ++g) {
+      const double t = cuts[piece] + width * rule.at[g];
+      const Point value = traction.at((1 - t) * start + t * end, outward);
+      const double weight = rule.weight[g] * width * length * model.thickness;
+      model.element->edge_shape(t, shape);
+      for (std::size_t node = 0; node < dofs.size(); ++node) {
+        force[dofs[node]] += weight * shape[node] * value.x;
+        force[dofs[node] + 1] += weight * shape[node] * value.y;
+      }
+    }
+  }
+}
+
+std::vector<Index> border_edges(const mesh::Mesh& mesh, const std::string& group, const core::Place& place,
+                                core::Mistakes& mistakes) {
+  const auto found = mesh.edge_groups.find(group);
+  if (found == mesh.edge_groups.end()) {
+    mistakes.add(place, "there is no edge '" + group + "'", core::did_you_mean(group, group_names(mesh)));
+    return {};
+  }
+  std::vector<Index> border;
+  double inner = 0;
+  for (const Index edge : found->second) {
+    if (mesh.edge_cells[edge][1] < 0)
+      border.push_back(edge);
+    else
+      inner +=
+          geometry::distance(mesh.points[mesh.edge_points[edge][0]], mesh.points[mesh.edge_points[edge][1]]);
+  }
+  if (found->second.empty())
+    mistakes.add(place, "edge '" + group + "' has no edges in the mesh");
+  else if (border.empty())
+    mistakes.add(place,
+                 "edge '" + group + "' lies inside the body, between two regions: nothing can act on it",
+                 "name an edge on the outside, or a joint's lip");
+  else if (inner > 0)
+    core::log().info(core::to_string(place) + ": " + core::format_quantity(inner, {1, 0, 0}) + " of edge '" +
+                     group + "' lie between two regions and carry no load");
+  return border;
+}
+
+ForceVector::ForceVector(std::string effect, std::span<const double> force) : Load(std::move(effect)) {
+  for (std::size_t dof = 0; dof < force.size(); ++dof) {
+    if (force[dof] == 0) continue;
+    dof_.push_back(static_cast<Index>(dof));
+    value_.push_back(force[dof]);
+  }
+}
+
+void ForceVector::add_force(std::span<double> force) const {
+  for (std::size_t i = 0; i < dof_.size(); ++i) force[dof_[i]] += value_[i];
+}
+
+std::size_t ForceVector::bytes() const {
+  return dof_.capacity() * sizeof(Index) + value_.capacity() * sizeof(double);
+}
+
+}  // namespace ashlar::model

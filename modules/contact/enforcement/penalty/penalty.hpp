@@ -1,0 +1,20 @@
+#pragma once
+
+#include "contact/parts.hpp"
+
+namespace ashlar::contact {
+
+/// p = −k g, k = factor E'/h or a given stiffness.
+class Penalty final : public Enforcement {
+ public:
+  /// `stiffness` [Pa/m] rules if it is above 0.
+  Penalty(double factor, double stiffness) : factor_(factor), stiffness_(stiffness) {}
+  /// k [Pa/m].
+  double stiffness(const ContactPoint& point) const;
+  Pressure pressure(double gap, const ContactPoint& point) const override;
+
+ private:
+  double factor_, stiffness_;
+};
+
+}  // namespace ashlar::contact

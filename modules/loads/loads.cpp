@@ -1,0 +1,84 @@
+#include "loads/loads.hpp"
+
+#include "loads/edge_values.hpp"
+#include "loads/point_loads.hpp"
+
+namespace ashlar::loads {
+
+namespace {
+
+/// `key = true` says nothing that could act; false takes the load away.
+void check_flag(const core::Settings& stage, const std::string& key, core::Mistakes& mistakes) {
+  const core::Value& said = stage.value(key);
+  if (said.boolean() && *said.boolean())
+    mistakes.add(said.place, key + " = true says no load", "a table of " + key + ", or false for none");
+}
+
+void check_couple(const core::Settings& couple, core::Mistakes& mistakes) {
+  const core::Table* between = couple.value("between").table();
+  if (between && between->items.size() != 2)
+    mistakes.add(couple.place_of("between"),
+                 "a couple acts between two places, got " + std::to_string(between->items.size()));
+}
+
+void check_components(const core::Settings& said, const std::string& what, core::Mistakes& mistakes) {
+  if (!said.has("x") && !said.has("y"))
+    mistakes.add(said.place, what + " has neither x nor y", "say x, y or both");
+}
+
+/// Entries of a map, or nothing if it was not said or turned off.
+const std::vector<std::pair<std::string, core::Value>>& named(const core::Settings& stage,
+                                                              const std::string& key) {
+  static const std::vector<std::pair<std::string, core::Value>> none;
+  const core::Table* table = stage.value(key).table();
+  return table ? table->entries : none;
+}
+
+void add_edge_loads(const model::StageContext& context, std::span<double> force) {
+  const core::Settings& stage = context.stage.settings;
+  const auto add = [&](const std::string& name, const core::Place& place, const model::EdgeTraction& load) {
+    for (const geometry::Index edge : model::border_edges(context.model.mesh, name, place, context.mistakes))
+      model::add_traction(context.model, edge, load, force);
+  };
+  for (const auto& [name, components] : stage.objects("tractions"))
+    add(name, components.place, traction(components));
+  for (const auto& [name, value] : named(stage, "pressures")) add(name, value.place, pressure(value));
+}
+
+}  // namespace
+
+void Loads::check(const model::Scene& scene, core::Mistakes& mistakes) const {
+  for (const model::StageData& stage : scene.stages) {
+    for (const char* key : {"tractions", "pressures", "forces", "couples"})
+      check_flag(stage.settings, key, mistakes);
+    for (const auto& [name, said] : stage.settings.objects("tractions"))
+      check_components(said, "the traction on '" + name + "'", mistakes);
+    for (const auto& [name, value] : named(stage.settings, "pressures"))
+      if (value.table()) read_table(value, mistakes);
+    for (const auto& [name, said] : stage.settings.objects("forces"))
+      check_components(said, "the force", mistakes);
+    for (const auto& [name, said] : stage.settings.objects("couples")) check_couple(said, mistakes);
+  }
+}
+
+void Loads::contribute(const model::StageContext& context, model::Terms& terms) {
+  std::vector<double> force(context.model.dofs.size());
+  const core::Settings& stage = context.stage.settings;
+  try {
+    add_edge_loads(context, force);
+    for (const auto& [name, said] : stage.objects("forces")) add_force(said, context.model, force);
+    for (const auto& [name, said] : stage.objects("couples"))
+      add_couple(said, context.model, force, context.mistakes);
+  } catch (const core::InputError& error) {
+    context.mistakes.add(error);
+  }
+  terms.loads.push_back(std::make_shared<model::ForceVector>("loads", force));
+}
+
+}  // namespace ashlar::loads
+
+ASHLAR_MODULE(registry) {
+  registry.add_make("effect", "loads", std::function<ashlar::model::MakeEffect>([](ashlar::core::Registry&) {
+                      return std::make_unique<ashlar::loads::Loads>();
+                    }));
+}
