@@ -188,6 +188,11 @@ Domain make_domain(const std::vector<RegionShape>& regions, const std::vector<Jo
   const auto first_joint = static_cast<Index>(inputs.size());
   const std::vector<JointSource> sources = joint_sources(joints, first_joint, inputs, mistakes);
   domain.length = flat.length > 0 ? flat.length : extent(inputs);
+  for (const auto& joint : joints) {
+    if (std::find(domain.regions.begin(), domain.regions.end(), joint.name) == domain.regions.end()) continue;
+    mistakes.add(joint.place, "a joint and a region have the same name '" + joint.name + "'",
+                 "lips and borders are named by them");
+  }
   if (inputs.empty() || !std::isfinite(domain.length)) return domain;
 
   const double snap = relative_snap * domain.length;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "mesh/chain.hpp"
 #include "mesh/flatten.hpp"
 
 namespace ashlar::mesh {
@@ -41,34 +42,6 @@ void check_has_regions(const Domain& domain, const Domain::Segment& s, std::set<
   }
 }
 
-struct Link {
-  Index segment;
-  Index start, end;  // points, with the first region on the left
-};
-
-// Chains links end to start; starts without a link before them come first, closed loops last.
-std::vector<Link> ordered(std::vector<Link> links, const std::vector<Point>& points) {
-  auto before = [&](const Link& a, const Link& b) {
-    const Point p = points[a.start], q = points[b.start];
-    return std::pair(p.x, p.y) < std::pair(q.x, q.y);
-  };
-  std::sort(links.begin(), links.end(), before);
-  std::vector<Link> result;
-  while (!links.empty()) {
-    auto first = std::find_if(links.begin(), links.end(), [&](const Link& a) {
-      return std::none_of(links.begin(), links.end(), [&](const Link& b) { return b.end == a.start; });
-    });
-    auto next = first == links.end() ? links.begin() : first;
-    while (next != links.end()) {
-      result.push_back(*next);
-      const Index end = next->end;
-      links.erase(next);
-      next = std::find_if(links.begin(), links.end(), [end](const Link& a) { return a.start == end; });
-    }
-  }
-  return result;
-}
-
 std::vector<Link> common_border(const Domain& domain, Index first, Index second) {
   auto region = [&](Index face) { return face < 0 ? -1 : domain.faces[face].region; };
   std::vector<Link> links;
@@ -77,7 +50,7 @@ std::vector<Link> common_border(const Domain& domain, Index first, Index second)
     if (region(s.left) == first && region(s.right) == second) links.push_back({i, s.from, s.to});
     if (region(s.left) == second && region(s.right) == first) links.push_back({i, s.to, s.from});
   }
-  return ordered(std::move(links), domain.points);
+  return chained(std::move(links), domain.points);
 }
 
 Index region_number(const Domain& domain, const JointLine& joint, const std::string& name,
@@ -156,8 +129,8 @@ void mark_border_joints(Domain& domain, core::Mistakes& mistakes) {
     }
     double position = 0;
     for (const Link& link : links) {
-      if (!claim(domain, link.segment, j, doubled, mistakes)) continue;
-      auto& s = domain.segments[link.segment];
+      if (!claim(domain, link.number, j, doubled, mistakes)) continue;
+      auto& s = domain.segments[link.number];
       s.joint_reversed = s.from != link.start;
       s.joint_position = position;
       position += geometry::distance(domain.points[s.from], domain.points[s.to]);
