@@ -142,6 +142,10 @@ Schema stage() {
 void add_outputs(core::Registry& registry) {
   registry.add_schema({"field", "displacement", "", "Displacement of the points [m].", {}});
   registry.add_schema(
+      {"joint_field", "opening", "", "Normal distance of the lips [m]; negative: penetration.", {}});
+  registry.add_schema({"joint_field", "slip", "", "Movement of the first lip along the path [m].", {}});
+  registry.add_schema({"joint_field", "pressure", "", "Contact pressure, compression positive [Pa].", {}});
+  registry.add_schema(
       {"probe",
        "probe",
        "Probe",

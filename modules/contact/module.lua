@@ -23,12 +23,6 @@ return {
         { key = "stiffness", forms = { "number" }, dimension = "Pa/m", range = { above = 0 },
           doc = "pressure for each metre of penetration, whatever the mesh" },
       } },
-    { kind = "joint_field", name = "opening", doc = "Normal distance of the lips [m]; negative: penetration.",
-      parameters = {} },
-    { kind = "joint_field", name = "slip", doc = "Movement of the first lip against the second along the path [m].",
-      parameters = {} },
-    { kind = "joint_field", name = "pressure", doc = "Contact pressure, compression positive [Pa].",
-      parameters = {} },
   },
   extends = {
     joint = {

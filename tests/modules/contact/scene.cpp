@@ -72,6 +72,11 @@ TEST(contact_scene, the_slave_is_one_of_the_sides) {
   EXPECT_TRUE(holds(text, "did you mean 'upper'")) << text;
 }
 
+TEST(contact_scene, outputs_may_name_the_joints_fields) {
+  const auto outputs = "joints = { fault = { \"opening\", \"slip\", \"pressure\" } }";
+  EXPECT_EQ(read_scenario(slab_script("friction = \"none\"", "gravity = true", outputs))->text(), "");
+}
+
 TEST(contact_scene, every_part_that_the_manifest_names_has_a_maker) {
   const auto scenario = read_scenario(slab_script("friction = \"none\"", "gravity = true"));
   ASSERT_EQ(scenario->text(), "");

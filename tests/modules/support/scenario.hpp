@@ -27,7 +27,8 @@ struct Scenario {
 };
 
 /// A slab of rock [0, 6] × [0, 3] with a block on it; `joint` and `stage` are Lua entries of theirs.
-inline std::string slab_script(const std::string& joint, const std::string& stage) {
+inline std::string slab_script(const std::string& joint, const std::string& stage,
+                               const std::string& outputs = "") {
   return R"(
 local u = units
 local rock = material.elastic { E = 10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }
