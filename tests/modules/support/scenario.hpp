@@ -26,7 +26,8 @@ struct Scenario {
   }
 };
 
-/// A slab of rock [0, 6] × [0, 3] with a block on it; `joint` and `stage` are Lua entries of theirs.
+/// A slab of rock [0, 6] × [0, 3] with a joint from its left side; the arguments are Lua entries of its
+/// parts.
 inline std::string slab_script(const std::string& joint, const std::string& stage,
                                const std::string& outputs = "") {
   return R"(
@@ -43,6 +44,8 @@ return Scene {
   supports = { ["rock.bottom"] = "xy" },
   stages = { Stage { "first", )" +
          stage + R"( } },
+  outputs = { )" +
+         outputs + R"( },
 }
 )";
 }
