@@ -186,11 +186,17 @@ Scene read_scene(const core::Value& value, core::Registry& registry, Mistakes& m
   scene.element = chosen("element", root, registry, mistakes);
   scene.solver = chosen("solver", root, registry, mistakes);
   if (root.entry("outputs").object) scene.outputs = root.object("outputs");
+  const std::size_t before = mistakes.list().size();
   scene.regions = read_regions(root, registry, mistakes);
+  const core::Table* geometry = root.value("geometry").table();
+  // Edges of a region that could not be read cannot be missed either.
+  const bool complete =
+      geometry && geometry->entries.size() == scene.regions.size() && mistakes.list().size() == before;
   scene.joints = read_joints(root, scene.regions, mistakes);
   scene.stages = read_stage_names(root, mistakes);
   scene.probes = read_probes(root, mistakes);
-  const Names names = collect_names(scene);
+  Names names = collect_names(scene);
+  names.edges_unknown = names.edges_unknown || !complete;
   read_stages(value, root, names, scene.stages, mistakes);
   check_names(root, registry, names, mistakes);
   return scene;

@@ -13,7 +13,7 @@ namespace ashlar::model {
 struct Names {
   /// What may be referred to: "edge" → {"rock.bottom", "fault.upper" …}, "region", "joint", "lip", "stage".
   std::map<std::string, std::vector<std::string>> known;
-  /// Edges of a mesh file show only when the file is read.
+  /// Edges of a mesh file show only when the file is read; those of a broken region not at all.
   bool edges_unknown = false;
 };
 

@@ -1,0 +1,126 @@
+#include "app/command_line.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/error.hpp"
+
+namespace ashlar::app {
+
+namespace {
+
+const std::vector<std::string> verbs = {"run", "check", "plan", "list", "describe"};
+const std::vector<std::string> options = {"--set",   "--out",   "--json", "--threads",
+                                          "--quiet", "--trust", "--help", "--version"};
+
+int read_threads(const std::string& word) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error != std::errc() || end != word.data() + word.size() || number < 1 || number > 1024)
+    fail("--threads takes a whole number from 1 to 1024, got '" + word + "'");
+  return number;
+}
+
+std::pair<std::string, std::string> read_setting(const std::string& word) {
+  const auto equal = word.find('=');
+  if (equal == std::string::npos || equal == 0)
+    fail("--set takes key=value, got '" + word + "'", "for example --set level=12");
+  return {word.substr(0, equal), word.substr(equal + 1)};
+}
+
+/// Reads one option; `value` gives the word that follows it.
+template <class Value>
+void read_option(const std::string& name, Value value, CommandLine& line) {
+  if (name == "--quiet")
+    line.quiet = true;
+  else if (name == "--trust")
+    line.trust = true;
+  else if (name == "--set")
+    line.set.push_back(read_setting(value()));
+  else if (name == "--out")
+    line.out = value();
+  else if (name == "--json")
+    line.json = value();
+  else if (name == "--threads")
+    line.threads = read_threads(value());
+  else
+    fail("there is no option '" + name + "'", core::did_you_mean(name, options));
+}
+
+void check_words(const CommandLine& line) {
+  const auto count = line.words.size();
+  const bool takes_scene = line.verb == "run" || line.verb == "check" || line.verb == "plan";
+  if (takes_scene && count != 1)
+    fail("`ashlar " + line.verb + "` takes one scene, got " + std::to_string(count),
+         "for example: ashlar " + line.verb + " examples/jointed_dam");
+  if (line.verb == "list" && count > 1) fail("`ashlar list` takes one kind or nothing");
+  if (line.verb == "describe" && count != 1)
+    fail("`ashlar describe` takes a kind, an entry or a word of the script",
+         "for example: ashlar describe Polygon");
+}
+
+}  // namespace
+
+void fail(std::string what, std::string advice) {
+  core::Mistakes mistakes;
+  mistakes.add({}, std::move(what), std::move(advice));
+  throw core::InputError(mistakes.list());
+}
+
+CommandLine read_command_line(std::span<char* const> arguments) {
+  CommandLine line;
+  std::vector<std::string> words(arguments.begin() + 1, arguments.end());
+  line.text = "ashlar";
+  for (const std::string& word : words) line.text += " " + word;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    std::string word = words[i];
+    if (word == "--help" || word == "-h" || word == "--version") {
+      line.verb = word == "--version" ? "version" : "help";
+      return line;
+    }
+    if (!word.starts_with("-")) {
+      (line.verb.empty() ? line.verb : line.words.emplace_back()) = word;
+      continue;
+    }
+    std::string name = word.substr(0, word.find('='));
+    const bool joined = name != word;
+    const auto value = [&]() -> std::string {
+      if (joined) return word.substr(name.size() + 1);
+      if (++i == words.size()) fail(name + " needs a value");
+      return words[i];
+    };
+    read_option(name, value, line);
+  }
+  if (line.verb.empty()) line.verb = "help";
+  if (line.verb == "help") return line;
+  if (std::find(verbs.begin(), verbs.end(), line.verb) == verbs.end())
+    fail("'" + line.verb + "' is nothing that ashlar can do", core::did_you_mean(line.verb, verbs));
+  check_words(line);
+  return line;
+}
+
+std::string help_text() {
+  return R"(ashlar computes how jointed masses carry load: dams, their foundations, the joints in and between them.
+
+  ashlar run SCENE         compute a scene and write its results
+  ashlar check SCENE       report every mistake in a scene; nothing is computed
+  ashlar plan SCENE        mesh a scene and say what would be simulated, what not, and at what size
+  ashlar list [KIND]       what can be said in a script, by kind
+  ashlar describe WORD     keys, units, defaults and ranges of a kind, an entry or a word: mesh, mesh.voronoi, Polygon
+
+SCENE is a Lua file, or a folder with scene.lua in it.
+
+  --set key=value    give a parameter of the scene another value; may be repeated
+  --out DIR          where results go; default: the folder results beside the scene
+  --json FILE        also write the results for machines; - for the terminal
+  --threads N        default: as many as the machine has; results do not depend on it
+  --quiet            say nothing but mistakes and warnings
+  --trust            let the script read and write files and run programs
+  --version, --help
+
+Exit codes: 0 done, 2 a mistake in the input, 3 not converged, 1 our fault, 130 stopped by Ctrl-C.
+ASHLAR_MODULES and ASHLAR_SCRIPTS name other folders for modules and for the script library, separated by ':'.
+)";
+}
+
+}  // namespace ashlar::app

@@ -1,0 +1,74 @@
+// ashlar plan: what would be simulated, why, at what size, and what would not.
+
+#include <iomanip>
+#include <iostream>
+
+#include "app/host.hpp"
+#include "app/verbs.hpp"
+#include "solve/build.hpp"
+
+namespace ashlar::app {
+
+namespace {
+
+std::string why(const core::Settings& settings, const core::Settings& root, const std::string& key) {
+  if (!root.said(key)) return "the only one there is";
+  return "asked for at " + core::to_string(core::Place{settings.place.file, settings.place.line, ""});
+}
+
+void tell_parts(const Scenario& scenario, const model::Model& model) {
+  const model::Scene& scene = scenario.scene;
+  const fields::Field& field = model.dofs.field();
+  std::cout << scene.title << " (plane " << (scene.plane == model::Plane::strain ? "strain" : "stress")
+            << ")\n"
+            << "  mesh     " << scene.mesh.name << ": " << model.mesh.cell_count() << " cells, "
+            << model.mesh.point_count() << " points\n"
+            << "  element  " << scene.element.name << " of order " << scene.order << ", "
+            << why(scene.element, scene.root, "element") << '\n'
+            << "  field    " << field.name << " [" << field.unit << "]: " << field.width << " components, "
+            << model.dofs.size() << " degrees of freedom\n"
+            << "  solver   " << scene.solver.name << ", " << why(scene.solver, scene.root, "solver") << ": "
+            << scenario.registry.find("solver", scene.solver.name)->schema.doc << '\n';
+}
+
+void tell_stage(const model::StagePlan& planned, const model::StageData& stage, const model::Scene& scene,
+                const model::Constraints& constraints) {
+  std::cout << "\nstage '" << planned.stage << "'";
+  if (stage.parent >= 0)
+    std::cout << " after '" << scene.stages[static_cast<std::size_t>(stage.parent)].name << "'";
+  std::cout << '\n';
+  bool nonlinear = false;
+  for (const model::Call& call : planned.calls) {
+    std::cout << "  " << std::left << std::setw(20) << call.effect << "called for by "
+              << core::to_string(call.place) << '\n';
+    nonlinear = nonlinear || call.nonlinear;
+  }
+  std::cout
+      << "  " << constraints.unknowns() << " unknowns, " << constraints.held.size() - constraints.dof.size()
+      << " degrees of freedom held by " << stage.supports.size() << " supports\n"
+      << (nonlinear
+              ? "  nonlinear: one factorisation of the bulk, then an iteration on the joints' own unknowns\n"
+              : "  linear: one factorisation and one solve, no iteration\n");
+}
+
+}  // namespace
+
+int plan(const CommandLine& line) {
+  const auto scenario = read_scenario(line);
+  core::Mistakes mistakes;
+  const model::Model model = solve::build_model(scenario->scene, scenario->registry, mistakes);
+  mistakes.throw_if_any();
+  tell_parts(*scenario, model);
+  const model::Scene& scene = scenario->scene;
+  for (std::size_t s = 0; s < scene.stages.size(); ++s) {
+    const auto constraints = solve::build_constraints(model, scene.stages[s], mistakes);
+    mistakes.throw_if_any();
+    tell_stage(scenario->plan.stages[s], scene.stages[s], scene, constraints);
+  }
+  if (!scenario->plan.left_out.empty()) std::cout << "\nnot simulated\n";
+  for (const core::EffectEntry& effect : scenario->plan.left_out)
+    std::cout << "  " << std::left << std::setw(20) << effect.name << effect.left_out << '\n';
+  return done;
+}
+
+}  // namespace ashlar::app
