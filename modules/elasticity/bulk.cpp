@@ -1,5 +1,6 @@
 #include "elasticity/bulk.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 #include "algebra/assemble.hpp"
@@ -14,16 +15,22 @@ using model::Model;
 
 namespace {
 
-/// What the scene's outputs ask for; everything if they do not say.
+/// What the scene's outputs and probes ask for; everything if the outputs do not say. A probe reads at
+/// points.
 std::set<std::string> wanted_fields(const model::Scene& scene) {
-  for (const auto& entry : scene.outputs.entries) {
-    if (entry.key != "fields" || !entry.value.table()) continue;
-    std::set<std::string> wanted;
-    for (const core::Value& item : entry.value.table()->items)
-      if (item.text() && all_fields.contains(*item.text())) wanted.insert(*item.text());
-    return wanted;
-  }
-  return all_fields;
+  const auto fields = std::find_if(scene.outputs.entries.begin(), scene.outputs.entries.end(),
+                                   [](const auto& entry) { return entry.key == "fields"; });
+  if (fields == scene.outputs.entries.end() || !fields->value.table()) return all_fields;
+  std::set<std::string> wanted;
+  const auto want = [&](const std::string& name) {
+    if (all_fields.contains(name)) wanted.insert(name);
+  };
+  for (const core::Value& item : fields->value.table()->items)
+    if (item.text()) want(*item.text());
+  for (const model::ProbeData& probe : scene.probes)
+    for (const std::string& quantity : probe.quantities)
+      want(all_fields.contains(quantity + "_nodes") ? quantity + "_nodes" : quantity);
+  return wanted;
 }
 
 using On = FieldResult::On;
@@ -40,25 +47,29 @@ FieldResult strain_field(std::span<const model::Voigt> strain) {
   return field;
 }
 
-FieldResult stress_field(const std::string& name, On on, std::span<const Stress> stress) {
-  FieldResult field{name, "Pa", on, 4, {"xx", "yy", "xy", "zz"}, {}};
-  field.values.reserve(4 * stress.size());
-  for (const Stress& s : stress) field.values.insert(field.values.end(), s.begin(), s.end());
-  return field;
-}
-
-/// Two fields, since the angle has another unit: "principal_stress" and "principal_stress_angle".
-void add_principal(const std::string& name, On on, std::span<const Stress> stress,
-                   std::vector<FieldResult>& fields) {
-  FieldResult values{name, "Pa", on, 3, {"s1", "s3", "von_mises"}, {}};
-  FieldResult angle{name + "_angle", "deg", on, 1, {"angle"}, {}};
-  for (const Stress& s : stress) {
+/// Adds the wanted ones of stress, principal_stress, principal_angle and von_mises, each name + `suffix`.
+void add_stress_fields(const std::set<std::string>& wanted, const std::string& suffix, On on,
+                       std::span<const Stress> stress, std::vector<FieldResult>& fields) {
+  const auto add = [&](const char* name, const char* unit, std::vector<std::string> components,
+                       auto&& values) {
+    if (!wanted.contains(name + suffix)) return;
+    FieldResult field{name + suffix,         unit, on, static_cast<int>(components.size()),
+                      std::move(components), {}};
+    field.values.reserve(stress.size() * static_cast<std::size_t>(field.width));
+    for (const Stress& s : stress) values(s, field.values);
+    fields.push_back(std::move(field));
+  };
+  using Values = std::vector<double>;
+  add("stress", "Pa", {"xx", "yy", "xy", "zz"},
+      [](const Stress& s, Values& values) { values.insert(values.end(), s.begin(), s.end()); });
+  add("principal_stress", "Pa", {"1", "3"}, [](const Stress& s, Values& values) {
     const Principal p = principal(s);
-    values.values.insert(values.values.end(), {p.s1, p.s3, p.von_mises});
-    angle.values.push_back(p.angle);
-  }
-  fields.push_back(std::move(values));
-  fields.push_back(std::move(angle));
+    values.insert(values.end(), {p.s1, p.s3});
+  });
+  add("principal_angle", "deg", {"angle"},
+      [](const Stress& s, Values& values) { values.push_back(principal(s).angle); });
+  add("von_mises", "Pa", {"von_mises"},
+      [](const Stress& s, Values& values) { values.push_back(von_mises(s)); });
 }
 
 }  // namespace
@@ -99,20 +110,17 @@ void Bulk::add_results(const fields::State& state, model::StageResult& result) c
   const fields::State::Id id = state.find("displacement");
   assert(id >= 0);
   const std::span<const double> u = state.committed(id);
-  const auto wanted = [&](const char* name) { return fields_.contains(name); };
-  if (wanted("displacement")) result.fields.push_back(displacement_field(model_, u));
-
-  const bool at_points = wanted("stress_nodes") || wanted("principal_stress_nodes");
-  if (!at_points && !wanted("strain") && !wanted("stress") && !wanted("principal_stress")) return;
+  const auto asked = [&](auto&& belongs) { return std::any_of(fields_.begin(), fields_.end(), belongs); };
+  const bool at_points = asked([](const std::string& name) { return name.ends_with("_nodes"); });
+  const bool in_cells =
+      asked([](const std::string& name) { return name != "displacement" && !name.ends_with("_nodes"); });
+  if (fields_.contains("displacement")) result.fields.push_back(displacement_field(model_, u));
+  if (!at_points && !in_cells) return;
   const CellStresses cells = cell_stresses(model_, dofs_, u);
-  if (wanted("strain")) result.fields.push_back(strain_field(cells.strain));
-  if (wanted("stress")) result.fields.push_back(stress_field("stress", On::cells, cells.stress));
-  if (wanted("principal_stress")) add_principal("principal_stress", On::cells, cells.stress, result.fields);
-  if (!at_points) return;
-  const std::vector<Stress> points = recover_at_points(model_, cells);
-  if (wanted("stress_nodes")) result.fields.push_back(stress_field("stress_nodes", On::points, points));
-  if (wanted("principal_stress_nodes"))
-    add_principal("principal_stress_nodes", On::points, points, result.fields);
+  if (fields_.contains("strain")) result.fields.push_back(strain_field(cells.strain));
+  add_stress_fields(fields_, "", On::cells, cells.stress, result.fields);
+  if (at_points)
+    add_stress_fields(fields_, "_nodes", On::points, recover_at_points(model_, cells), result.fields);
 }
 
 void Elasticity::contribute(const model::StageContext& context, model::Terms& terms) {

@@ -10,7 +10,8 @@ namespace ashlar::elasticity {
 
 /// Names of the fields that a run can ask for.
 inline const std::set<std::string> all_fields = {
-    "displacement", "strain", "stress", "stress_nodes", "principal_stress", "principal_stress_nodes"};
+    "displacement", "strain",       "stress",          "principal_stress",       "principal_angle",
+    "von_mises",    "stress_nodes", "von_mises_nodes", "principal_stress_nodes", "principal_angle_nodes"};
 
 class Bulk final : public model::Stiffness {
  public:

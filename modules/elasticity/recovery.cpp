@@ -161,9 +161,12 @@ Principal principal(const Stress& s) {
   found.s1 = middle + radius;
   found.s3 = middle - radius;
   found.angle = radius > 0 ? 90 / std::numbers::pi * std::atan2(s[2], half) : 0;
-  const double xy = s[0] - s[1], yz = s[1] - s[3], zx = s[3] - s[0];
-  found.von_mises = std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * s[2] * s[2]);
   return found;
+}
+
+double von_mises(const Stress& s) {
+  const double xy = s[0] - s[1], yz = s[1] - s[3], zx = s[3] - s[0];
+  return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * s[2] * s[2]);
 }
 
 }  // namespace ashlar::elasticity

@@ -35,11 +35,13 @@ CellStresses cell_stresses(const model::Model& model, const mesh::Adjacency& dof
 /// Stresses at the mesh points; zero at points without cells.
 std::vector<Stress> recover_at_points(const model::Model& model, const CellStresses& cells);
 
-/// In-plane principal stresses s1 ≥ s3 [Pa], the angle from x to the direction of s1 in (−90°, 90°], and von
-/// Mises' stress with zz [Pa].
+/// In-plane principal stresses s1 ≥ s3 [Pa] and the angle from x to the direction of s1 in (−90°, 90°].
 struct Principal {
-  double s1 = 0, s3 = 0, angle = 0, von_mises = 0;
+  double s1 = 0, s3 = 0, angle = 0;
 };
 Principal principal(const Stress& stress);
+
+/// Von Mises' equivalent stress of all four components [Pa].
+double von_mises(const Stress& stress);
 
 }  // namespace ashlar::elasticity

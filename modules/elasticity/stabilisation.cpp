@@ -5,15 +5,39 @@
 
 namespace ashlar::elasticity {
 
+namespace {
+
+/// Slivers flatter than 1:100 are treated as 1:100, so that no direction is left without stiffness.
+constexpr double least_aspect = 1e-2;
+
+/// |E|/4 (a⊗a/|a|⁴ + b⊗b/|b|⁴), a and b the half lengths of a quadrilateral's midlines.
+Tensor2 of_quadrilateral(const CellShape& shape) {
+  const Scratch<Point>& x = shape.offset;
+  const Point a = 0.25 * (x[1] + x[2] - x[0] - x[3]), b = 0.25 * (x[2] + x[3] - x[0] - x[1]);
+  const double least = least_aspect * least_aspect * std::max(dot(a, a), dot(b, b));
+  const double aa = std::max(dot(a, a), least), bb = std::max(dot(b, b), least);
+  const double to_a = 0.25 * shape.area / (aa * aa), to_b = 0.25 * shape.area / (bb * bb);
+  return {to_a * a.x * a.x + to_b * b.x * b.x, to_a * a.x * a.y + to_b * b.x * b.y,
+          to_a * a.y * a.y + to_b * b.y * b.y};
+}
+
+/// √det J J⁻¹.
+Tensor2 of_polygon(const CellShape& shape) {
+  const Tensor2& j = shape.second_moment;
+  const double least = least_aspect * least_aspect * (j.xx + j.yy);
+  const double xx = j.xx + least, yy = j.yy + least;
+  const double scale = 1 / std::sqrt(xx * yy - j.xy * j.xy);
+  return {scale * yy, -scale * j.xy, scale * xx};
+}
+
+}  // namespace
+
 Tensor2 BendingStabilisation::weigh(const CellShape& shape, const model::Material& material,
                                     std::span<double> d) const {
   std::fill(d.begin(), d.end(), 1.0);
-  // Slivers flatter than 1:100 are treated as 1:100, so that no direction is left without stiffness.
-  const Tensor2& j = shape.second_moment;
-  const double least = 1e-4 * (j.xx + j.yy);
-  const double xx = j.xx + least, yy = j.yy + least;
-  const double scale = material.plane_modulus() / (3 * std::sqrt(xx * yy - j.xy * j.xy));
-  return {scale * yy, -scale * j.xy, scale * xx};
+  const Tensor2 t = d.size() == 4 ? of_quadrilateral(shape) : of_polygon(shape);
+  const double scale = material.plane_modulus() / 3;
+  return {scale * t.xx, scale * t.xy, scale * t.yy};
 }
 
 Tensor2 ShearStabilisation::weigh(const CellShape&, const model::Material& material,

@@ -22,8 +22,10 @@ class Stabilisation {
 /// A module registers a choice as kind "stabilisation" with this signature.
 using MakeStabilisation = std::shared_ptr<const Stabilisation>(const core::Settings& settings);
 
-/// T = E'/3 √det J J⁻¹ with J the cell's second moments, d = 1. On a rectangle a × b this is E' b/(3a) along
-/// a: the exact stiffness of the rectangle against bending, for every aspect and every ν.
+/// As stiff as the cell is against bending, for every aspect and every ν. d = 1 and
+///   quadrilaterals:  T = E'/3 · |E|/4 (a⊗a/|a|⁴ + b⊗b/|b|⁴), a and b half their midlines: what the linear
+///                    stresses of Pian and Sumihara's hybrid element resist (1984), exact on parallelograms;
+///   other polygons:  T = E'/3 · √det J J⁻¹, J their second moments: the same for rectangles.
 class BendingStabilisation final : public Stabilisation {
  public:
   Tensor2 weigh(const CellShape& shape, const model::Material& material, std::span<double> d) const override;

@@ -8,8 +8,9 @@ namespace ashlar::suitesparse {
 
 namespace {
 
-/// Below this many nodes AMD is as good as METIS or better, and several times faster.
-constexpr Index amd_is_better_up_to = 50000;
+/// Up to here AMD orders and factors in less time together; above, METIS' smaller factor pays on Voronoi
+/// meshes (tests/benchmarks/solver.cpp; figures in README.md).
+constexpr Index amd_is_better_up_to = 100000;
 
 /// Nodes of the unknowns that are not kept, numbered through, and which of them couple (lower triangle by
 /// columns, without diagonal).

@@ -1,5 +1,5 @@
-// Cost of the order-1 stiffness: pattern, scatter map, and values into a ready pattern, cells per second on one
-// thread, beside the rate at which this machine copies the matrix.
+// Cost of the order-1 stiffness: pattern, scatter map, and values into a ready pattern, cells per second on
+// one thread, beside the rate at which this machine copies the matrix.
 //   build/tests/benchmarks/bench_assembly
 
 #include <benchmark/benchmark.h>
@@ -18,8 +18,7 @@ void sizes(benchmark::internal::Benchmark* benchmark) {
 
 void count_cells(benchmark::State& state) {
   const auto side = static_cast<double>(state.range(0));
-  state.counters["cells/s"] =
-      benchmark::Counter(side * side, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["cells/s"] = benchmark::Counter(side * side, benchmark::Counter::kIsIterationInvariantRate);
 }
 
 void pattern(benchmark::State& state) {

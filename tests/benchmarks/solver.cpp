@@ -35,7 +35,8 @@ struct Assembled {
 template <int... sides>
 void cases(benchmark::internal::Benchmark* benchmark) {
   for (const int side : {sides...})
-    for (const Method method : {Method::amd, Method::metis}) benchmark->Args({side, static_cast<int>(method)});
+    for (const Method method : {Method::amd, Method::metis})
+      benchmark->Args({side, static_cast<int>(method)});
   benchmark->Unit(benchmark::kMillisecond)->Iterations(1);
 }
 

@@ -44,14 +44,17 @@ inline model::Model bricks(Index n) {
   std::vector<Index> number(static_cast<std::size_t>(width) * (n + 1));
   std::iota(number.begin(), number.end(), 0);
   std::shuffle(number.begin(), number.end(), std::mt19937(5));
+  // Two corners belong to no brick: they become the first points, which are held.
+  const Index unused[] = {width - 1, n * width + (n % 2 == 0 ? 0 : width - 1)};
+  for (Index k = 0; k < 2; ++k) std::swap(number[unused[k]], *std::find(number.begin(), number.end(), k));
   model.mesh.points.resize(number.size());
   for (Index y = 0; y <= n; ++y)
     for (Index x = 0; x < width; ++x) model.mesh.points[number[y * width + x]] = {0.5 * x / n, 1.0 * y / n};
   for (Index y = 0; y < n; ++y)
     for (Index x = 0; x < n; ++x) {
       const Index a = y * width + 2 * x + y % 2, b = a + width;
-      model.mesh.cell_points.append(std::array{number[a], number[a + 1], number[a + 2], number[b + 2],
-                                               number[b + 1], number[b]});
+      model.mesh.cell_points.append(
+          std::array{number[a], number[a + 1], number[a + 2], number[b + 2], number[b + 1], number[b]});
     }
   complete(model);
   return model;
