@@ -1,0 +1,21 @@
+#pragma once
+// What the settings ask for in each region.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/schema.hpp"
+
+namespace ashlar::meshing_structured {
+
+struct Request {
+  std::array<int, 2> cells = {0, 0};  ///< columns and rows; 0: by size
+  double size = 0;                    ///< [m]; 0: by cells
+  std::array<double, 2> grading = {1, 1};
+};
+
+/// One request for each region. Throws InputError for regions that do not exist and missing or wrong numbers.
+std::vector<Request> requests(const core::Settings& settings, const std::vector<std::string>& regions);
+
+}  // namespace ashlar::meshing_structured
