@@ -133,7 +133,7 @@ TEST(structured, joints_through_and_across_regions) {
   EXPECT_EQ(mesh.joints.size(), 3u);
   Index count = 0;
   bodies(mesh, count);
-  EXPECT_EQ(count, 4);
+  EXPECT_EQ(count, 5);
 }
 
 TEST(structured, mistakes_say_what_to_do) {
