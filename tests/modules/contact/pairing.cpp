@@ -48,13 +48,13 @@ TEST(node_to_segment, equal_weights_are_the_papers) {
 }
 
 TEST(node_to_segment, points_between_master_points_share_by_xi_and_are_warned_of) {
-  const Blocks blocks = two_blocks(2, 3);
+  const Blocks blocks = two_blocks(4, 3);
   core::log().clear();
   const auto points = pairs(blocks.model);
   ASSERT_EQ(points.size(), 4u);
   ASSERT_EQ(points[1].shares.size(), 3u);
-  EXPECT_NEAR(points[1].shares[1].factor, -1.0 / 3, 1e-15);
-  EXPECT_NEAR(points[1].shares[2].factor, -2.0 / 3, 1e-15);
+  EXPECT_NEAR(points[1].shares[1].factor, -2.0 / 3, 1e-15);
+  EXPECT_NEAR(points[1].shares[2].factor, -1.0 / 3, 1e-15);
   EXPECT_TRUE(logged("do not match at 2 places", core::Level::warning));
 }
 

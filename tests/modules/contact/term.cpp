@@ -45,7 +45,7 @@ TEST(contact_term, one_pressed_point_by_hand) {
 
 // K_c = ω H(−g) Aᵀ n nᵀ A with A(ξ) u = u_s − (1−ξ) u_m − ξ u_{m+1}, written out in full.
 TEST(contact_term, the_tangent_is_the_papers) {
-  const Blocks blocks = two_blocks(2, 3, 0.7, 0.4);
+  const Blocks blocks = two_blocks(4, 3, 0.7, 0.4);  // master edges of 0.5 m
   const ContactTerm term = paper_contact(blocks.model, 1000);
   fields::State state = state_for(blocks.model, term);
   const std::vector<double> zero(blocks.model.dofs.size());
@@ -56,8 +56,8 @@ TEST(contact_term, the_tangent_is_the_papers) {
   const double h = 2.0 / 3;
   for (int i = 0; i < 4; ++i) {
     const Index s = i < 3 ? lips.lips[0][i].from : lips.lips[0][2].to;
-    const mesh::LipEdge& edge = lips.lips[1][i < 2 ? 0 : 1];
-    const double xi = i < 2 ? i * h : i * h - 1;
+    const mesh::LipEdge& edge = lips.lips[1][i];
+    const double xi = (i * h - 0.5 * i) / 0.5;
     const Eigen::Vector2d n(-std::sin(0.4), std::cos(0.4));
     Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2, expected.rows());
     a.block<2, 2>(0, 2 * s) = Eigen::Matrix2d::Identity();
