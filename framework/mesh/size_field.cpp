@@ -8,8 +8,9 @@ namespace ashlar::mesh {
 namespace {
 
 constexpr Index grid_cells = 64;
-constexpr std::size_t leaf_sources = 4;
+constexpr std::size_t leaf_sources = 12;
 constexpr int deepest = 24;
+constexpr double one_is_enough = 0.06;  // boxes over which sizes change by less keep one source
 
 double distance_to(const SizeSource& source, Point p) {
   const Point d = source.b - source.a;
@@ -131,7 +132,7 @@ std::vector<Index> SizeField::relevant(const std::vector<Index>& candidates, Poi
     values[k] = value_of(sources_[candidates[k]], center);
     best = std::min(best, values[k]);
   }
-  const bool small = slack < 0.02 * best;
+  const bool small = slack < one_is_enough * best;
   std::vector<Index> kept;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     if (small ? values[k] == best && kept.empty() : values[k] - slack <= best + slack) {
