@@ -1,5 +1,6 @@
 #include "script/lexer.hpp"
 
+#include <algorithm>
 #include <cctype>
 
 namespace ashlar::script {

@@ -136,17 +136,14 @@ void check_choices(lua_State* L, const Declared& param, int value, const core::P
   lua_pop(L, 1);
 }
 
-bool check_keys(lua_State* L, Machine& machine, const core::Place& place) {
+void check_keys(lua_State* L, Machine& machine, const core::Place& place) {
   static const std::vector<std::string> valid = {"default", "doc", "min", "max", "choices"};
-  bool good = true;
   for (lua_pushnil(L); lua_next(L, 1); lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING) continue;
     const std::string key = lua_tostring(L, -2);
     if (std::find(valid.begin(), valid.end(), key) != valid.end()) continue;
     machine.mistakes->add(place, "param has no key '" + key + "'", core::did_you_mean(key, valid));
-    good = false;
   }
-  return good;
 }
 
 }  // namespace

@@ -77,6 +77,21 @@ TEST_F(Scripts, every_entry_knows_its_line) {
   EXPECT_EQ(line("eq"), 22);
 }
 
+TEST_F(Scripts, commas_of_calls_and_functions_are_no_fields) {
+  const ScriptResult result = read(
+      "return Scene {\n"          // 1
+      "  math.max(1,\n"           // 2
+      "    2, 3),\n"              // 3
+      "  function(a,\n"           // 4
+      "    b) local c, d = 1,\n"  // 5
+      "    2 end,\n"              // 6
+      "  9 }\n");                 // 7
+  EXPECT_EQ(said(), "");
+  EXPECT_EQ(at(result.scene, "1").place.line, 2);
+  EXPECT_EQ(at(result.scene, "2").place.line, 4);
+  EXPECT_EQ(at(result.scene, "3").place.line, 7);
+}
+
 TEST_F(Scripts, other_line_ends_count_as_in_lua) {
   const ScriptResult result =
       read("#!/usr/bin/ashlar\r\nlocal a = 1\r\nreturn Scene {\r\n  x = 1,\r\n  y = 2 }");
