@@ -21,13 +21,15 @@ Tensor2 of_quadrilateral(const CellShape& shape) {
           to_a * a.y * a.y + to_b * b.y * b.y};
 }
 
-/// √det J J⁻¹.
+/// √(λ₂/λ₁) along the long axis of J (moments λ₁ ≥ λ₂), 1 across it.
 Tensor2 of_polygon(const CellShape& shape) {
   const Tensor2& j = shape.second_moment;
-  const double least = least_aspect * least_aspect * (j.xx + j.yy);
-  const double xx = j.xx + least, yy = j.yy + least;
-  const double scale = 1 / std::sqrt(xx * yy - j.xy * j.xy);
-  return {scale * yy, -scale * j.xy, scale * xx};
+  const double middle = 0.5 * (j.xx + j.yy), half = 0.5 * (j.xx - j.yy);
+  const double greatest = middle + std::sqrt(half * half + j.xy * j.xy);
+  const double least = std::max(2 * middle - greatest, least_aspect * least_aspect * greatest);
+  // I − (J − λ₂ I)/(λ₁ + √(λ₁λ₂)), which knows no special case for round cells.
+  const double share = 1 / (greatest + std::sqrt(greatest * least));
+  return {1 - share * (j.xx - least), -share * j.xy, 1 - share * (j.yy - least)};
 }
 
 }  // namespace

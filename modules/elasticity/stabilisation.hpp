@@ -25,7 +25,8 @@ using MakeStabilisation = std::shared_ptr<const Stabilisation>(const core::Setti
 /// As stiff as the cell is against bending, for every aspect and every ν. d = 1 and
 ///   quadrilaterals:  T = E'/3 · |E|/4 (a⊗a/|a|⁴ + b⊗b/|b|⁴), a and b half their midlines: what the linear
 ///                    stresses of Pian and Sumihara's hybrid element resist (1984), exact on parallelograms;
-///   other polygons:  T = E'/3 · √det J J⁻¹, J their second moments: the same for rectangles.
+///   other polygons:  T = E'/3 · (√(λ₂/λ₁) along the long axis, 1 across), λ₁ ≥ λ₂ their second moments: as
+///                    rectangles along; across, their corners see quadratic bending that four corners do not.
 class BendingStabilisation final : public Stabilisation {
  public:
   Tensor2 weigh(const CellShape& shape, const model::Material& material, std::span<double> d) const override;

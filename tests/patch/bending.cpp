@@ -4,6 +4,7 @@
 
 #include "modules/elasticity/cells.hpp"
 #include "patch/solid.hpp"
+#include "testing/meshes.hpp"
 
 namespace ashlar::patch {
 namespace {
@@ -68,7 +69,7 @@ double cantilever(double d, std::shared_ptr<const elasticity::Stabilisation> sta
 
 /// Prints figures for the read-me.
 void print(const std::string& name, const std::vector<double>& figures) {
-  std::printf("[ figures  ] %-9s", (name + ":").c_str());
+  std::printf("[ figures  ] %-22s", (name + ":").c_str());
   for (const double figure : figures) std::printf("  %.4f", figure);
   std::puts("");
 }
@@ -84,6 +85,50 @@ TEST(cantilever, two_quads_bend_as_well_as_four_points_can) {
     // This element's own figures; they guard it against silent change.
     EXPECT_NEAR(tip[2], 0.6246, 1e-3);
     EXPECT_NEAR(tip[4], 0.5583, 1e-3);
+  }
+}
+
+/// Pure bending of a beam `length` × 1 on a mesh of the unit square stretched to it: mean turn of the free
+/// end over the exact one.
+double beam(mesh::Mesh mesh, double length, std::shared_ptr<const elasticity::Stabilisation> stabilisation) {
+  const double e = 100, nu = 0.3, curvature = 1e-3;
+  for (Point& p : mesh.points) p = {length * p.x, p.y - 0.5};
+  Solid solid(std::move(mesh), std::make_shared<Elastic>(e, nu, Plane::stress), std::move(stabilisation));
+  const auto exact = [&](Point p) {
+    return Point{curvature * p.x * p.y, -0.5 * curvature * (p.x * p.x + nu * p.y * p.y)};
+  };
+  for (const Index edge : solid.model.mesh.edge_groups.at("square.left"))
+    for (const Index p : solid.model.mesh.edge_points[edge]) {
+      solid.hold(p, 0, exact(solid.model.mesh.points[p]).x);
+      solid.hold(p, 1, exact(solid.model.mesh.points[p]).y);
+    }
+  double work = 0, exact_work = 0;
+  for (const Index edge : solid.model.mesh.edge_groups.at("square.right")) {
+    const auto [a, b] = solid.model.mesh.edge_points[edge];
+    const double ya = solid.model.mesh.points[a].y, yb = solid.model.mesh.points[b].y;
+    const double pull = e * curvature * std::abs(yb - ya) / 6;
+    solid.load[solid.model.dofs.of_point(a)] += pull * (2 * ya + yb);
+    solid.load[solid.model.dofs.of_point(b)] += pull * (ya + 2 * yb);
+  }
+  EXPECT_FALSE(solid.solve().empty());
+  for (Index p = 0; p < solid.model.mesh.point_count(); ++p) {
+    const double force = solid.load[solid.model.dofs.of_point(p)];
+    work += force * solid.displacement(p).x;
+    exact_work += force * exact(solid.model.mesh.points[p]).x;
+  }
+  return work / exact_work;
+}
+
+TEST(beam, polygons_bend_alike_whatever_the_stabilisation) {
+  for (const auto& family : testing::ugly_families()) {
+    for (const auto& [name, stabilisation] : elasticity::testing::stabilisations()) {
+      std::vector<double> turn;
+      for (const double length : {1.0, 4.0})
+        for (const int n : {4, 8, 16, 32})
+          turn.push_back(beam(testing::square_mesh(family.make(n)), length, stabilisation));
+      print(family.name + ", " + name, turn);
+      EXPECT_NEAR(turn.back(), 1, 0.05);
+    }
   }
 }
 
