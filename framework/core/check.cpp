@@ -196,7 +196,8 @@ Checker::Checked Checker::check_number(const Value& value, const Parameter& para
                   "must be " + to_string(parameter.range, parameter.dimension) + ", got " + shown);
     return {};
   }
-  if (!parameter.usual.contains(x))
+  // Nobody forgets the unit of zero.
+  if (x != 0 && !parameter.usual.contains(x))
     log().warning(to_string(value.place) + ": " + shown + " is unusual (usually " +
                   to_string(parameter.usual, parameter.dimension) + "); is the unit right?");
   return {value, {}, {}};

@@ -1,0 +1,80 @@
+// Every file in tests/bad_scripts says in its first lines what the program must answer:
+//   -- expect 12: must be above 0 Pa     a message that starts at line 12 and contains this
+//   -- expect: did you mean 'rock'?      anywhere
+//   -- options: --set level=3
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include "program.hpp"
+
+namespace ashlar::test {
+namespace {
+
+std::vector<std::string> names_of_scripts() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(source_folder / "tests/bad_scripts"))
+    if (entry.path().extension() == ".lua") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+struct Expected {
+  std::vector<std::pair<int, std::string>> messages;
+  std::string options;
+};
+
+Expected expected_of(const fs::path& script) {
+  Expected expected;
+  std::istringstream lines(text_of(script));
+  const std::string expect = "-- expect", options = "-- options: ";
+  for (std::string line; std::getline(lines, line) && line.starts_with("-- ");) {
+    if (line.starts_with(options)) expected.options = line.substr(options.size());
+    if (!line.starts_with(expect)) continue;
+    const auto colon = line.find(':');
+    const std::string number = line.substr(expect.size(), colon - expect.size());
+    expected.messages.emplace_back(number.empty() ? 0 : std::stoi(number), line.substr(colon + 2));
+  }
+  return expected;
+}
+
+bool says(const std::string& text, const std::string& file, const std::pair<int, std::string>& message) {
+  if (message.first == 0) return text.find(message.second) != std::string::npos;
+  const std::string place = file + ":" + std::to_string(message.first) + ":";
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(place) && line.find(message.second) != std::string::npos) return true;
+  return false;
+}
+
+class BadScript : public testing::TestWithParam<std::string> {};
+
+TEST_P(BadScript, is_answered_and_writes_nothing) {
+  const std::string file = GetParam() + ".lua";
+  const fs::path folder = source_folder / "tests/bad_scripts";
+  const Expected expected = expected_of(folder / file);
+  ASSERT_FALSE(expected.messages.empty()) << "the script does not say what to expect";
+  const ScratchFolder scratch;
+  const Ended ended =
+      call("run " + file + " --quiet --out " + quoted(scratch / "results") + " " + expected.options, folder);
+  EXPECT_EQ(ended.code, 2) << ended.err;
+  for (const auto& message : expected.messages)
+    EXPECT_TRUE(says(ended.err, file, message))
+        << "line " << message.first << ": " << message.second << "\nwas expected, got\n"
+        << ended.err;
+  EXPECT_EQ(ended.out, "");
+  EXPECT_FALSE(fs::exists(scratch / "results"));
+}
+
+INSTANTIATE_TEST_SUITE_P(all, BadScript, testing::ValuesIn(names_of_scripts()),
+                         [](const auto& info) { return "script_" + info.param; });
+
+TEST(bad_scripts, there_are_enough_of_them) {
+  EXPECT_GE(names_of_scripts().size(), 30u);
+}
+
+}  // namespace
+}  // namespace ashlar::test

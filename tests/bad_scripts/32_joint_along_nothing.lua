@@ -1,0 +1,16 @@
+-- expect 11: have no common border
+local u = units
+local rock = material.elastic { E = 10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }
+return Scene {
+  title = "A block of rock",
+  plane = "strain",
+  geometry = {
+    rock = Rectangle { from = {0,0}, to = {10,5}, material = rock },
+    dam = Rectangle { from = {4,6}, to = {6,8}, material = rock },
+  },
+  joints = { gap = Joint { friction = "none", between = {"dam", "rock"} } },
+  mesh = mesh.voronoi { size = 1 },
+  element = "vem",
+  supports = { ["rock.bottom"] = "xy", ["dam.bottom"] = "xy" },
+  stages = { Stage { "self-weight", gravity = true } },
+}

@@ -1,0 +1,14 @@
+-- expect 7: unknown key 'titel'
+-- expect 5: must be above 0 Pa
+-- expect: mistakes
+local u = units
+local rock = material.elastic { E = -10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }
+return Scene {
+  titel = "A block of rock",
+  plane = "strain",
+  geometry = { rock = Rectangle { from = {0,0}, to = {10,5}, material = rock } },
+  mesh = mesh.voronoi { size = 1 },
+  element = "vem",
+  supports = { ["rock.bottom"] = "xy" },
+  stages = { Stage { "self-weight", gravity = true } },
+}

@@ -1,0 +1,2 @@
+-- expect: memory
+local heap = string.rep("x", 2^32)

@@ -1,0 +1,3 @@
+-- expect 2: 'os' is not available to scripts
+os.execute("touch stolen")
+return Scene {}
