@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <csignal>
 #include <cstring>
 
 #include "core/error.hpp"
@@ -24,7 +25,24 @@ void fail_to_write(const std::filesystem::path& path, int error) {
   throw core::InputError(mistake);
 }
 
+namespace {
+
+/// A limit on file sizes must come back as an error, not as a signal that ends the program.
+class NoSizeSignal {
+ public:
+  NoSizeSignal() { earlier_ = std::signal(SIGXFSZ, SIG_IGN); }
+  ~NoSizeSignal() { std::signal(SIGXFSZ, earlier_); }
+  NoSizeSignal(const NoSizeSignal&) = delete;
+  NoSizeSignal& operator=(const NoSizeSignal&) = delete;
+
+ private:
+  void (*earlier_)(int);
+};
+
+}  // namespace
+
 void write_file(const std::filesystem::path& path, std::string_view bytes) {
+  const NoSizeSignal guard;
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) fail_to_write(path, errno);
   while (!bytes.empty()) {

@@ -61,7 +61,7 @@ Color region_tint(int region) {
 }
 
 Color curve_color(int curve, int count) {
-  return sequential(count < 2 ? 0.3 : 0.08 + 0.72 * curve / (count - 1));
+  return sequential(count < 2 ? 0.25 : 0.06 + 0.62 * curve / (count - 1));
 }
 
 std::uint32_t packed(Color c) {

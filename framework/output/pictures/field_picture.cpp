@@ -16,31 +16,68 @@ namespace {
 const LineStyle outline_style{{0.08, 0.09, 0.11}, 0.7};
 const LineStyle joint_style{{0.08, 0.09, 0.11}, 1.15};
 
-// A triangle that points up for the greatest value and down for the least, with the value beside it.
-void mark(Canvas& canvas, const Frame& frame, Point place, const std::string& text, bool greatest) {
-  constexpr double r = 3.1;
-  const Point at = frame.at(place);
-  const double way = greatest ? -1 : 1;
-  const Point ring[] = {
-      {at.x, at.y + way * r}, {at.x - r, at.y - way * 0.7 * r}, {at.x + r, at.y - way * 0.7 * r}};
-  canvas.fill(ring, greatest ? Color{0.08, 0.09, 0.11} : Color{1, 1, 1});
-  canvas.polyline(ring, {{greatest ? 1.0 : 0.08, greatest ? 1.0 : 0.09, greatest ? 1.0 : 0.11}, 0.6}, true);
-  TextStyle style{7.5};
-  style.halo = true;
-  const double width = canvas.text_width(text, style);
-  const bool to_left = at.x + r + 3 + width > frame.corner.x + frame.width - 3;
-  if (to_left) style.align = Align::right;
-  // Inside the plot, away from its rim.
-  const double y = std::clamp(at.y + 2.6, frame.corner.y + 9, frame.corner.y + frame.height - 4);
-  canvas.text(to_left ? at.x - r - 3 : at.x + r + 3, y, text, style);
+constexpr double mark_radius = 3.1, label_height = 6.5;
+
+struct Box {
+  Point corner;  ///< upper left, in units
+  double width = 0, height = 0;
+};
+
+// Share of the box that the field covers.
+double covered(const Frame& frame, const Image& image, const Box& box) {
+  int inside = 0, count = 0;
+  for (double y = 0; y <= 1; y += 0.25)
+    for (double x = 0; x <= 1; x += 0.0625) {
+      const int column = static_cast<int>((box.corner.x + x * box.width - frame.corner.x) * pixels_per_unit);
+      const int row = static_cast<int>((box.corner.y + y * box.height - frame.corner.y) * pixels_per_unit);
+      if (column < 0 || row < 0 || column >= image.width || row >= image.height) return -1;
+      inside += image.pixels[static_cast<std::size_t>(row) * image.width + column] != 0;
+      ++count;
+    }
+  return static_cast<double>(inside) / count;
 }
 
-void mark_extremes(Canvas& canvas, const Frame& frame, const DrawnField& field, const UnitScale& unit) {
+// Beside, above or below the mark: inside the plot, off the outlines, on white rather than on colours.
+Box label_box(const Frame& frame, const Image& image, Point at, double width) {
+  constexpr double off = mark_radius + 3;
+  const double right = at.x + off, left = at.x - off - width, middle = at.y - label_height / 2;
+  const double above = at.y - off - label_height, below = at.y + off;
+  const Point places[] = {{right, middle},         {left, middle},           {right - off + 4, above},
+                          {left + off - 4, above}, {right - off + 4, below}, {left + off - 4, below}};
+  Box best{places[0], width, label_height};
+  double lowest = 1e300, bias = 0;
+  for (const Point& place : places) {
+    const Box box{place, width, label_height};
+    const double share = covered(frame, image, box);
+    const double cost = share < 0 ? 10 : 4 * share * (1 - share) + 0.15 * share + bias;
+    if (cost < lowest) best = box;
+    lowest = std::min(lowest, cost);
+    bias += 0.01;
+  }
+  return best;
+}
+
+// A triangle that points up for the greatest value and down for the least, with the value beside it.
+void mark(Canvas& canvas, const Frame& frame, const Image& image, Point place, const std::string& text) {
+  const bool greatest = text.starts_with("max");
+  const Point at = frame.at(place);
+  const double r = greatest ? mark_radius : -mark_radius;
+  const Point ring[] = {{at.x, at.y - r}, {at.x - r, at.y + 0.7 * r}, {at.x + r, at.y + 0.7 * r}};
+  const Color dark{0.08, 0.09, 0.11}, white{1, 1, 1};
+  canvas.fill(ring, greatest ? dark : white);
+  canvas.polyline(ring, {greatest ? white : dark, 0.6}, true);
+  TextStyle style{7.5};
+  style.halo = true;
+  const Box box = label_box(frame, image, at, canvas.text_width(text, style));
+  canvas.text(box.corner.x, box.corner.y + label_height - 0.8, text, style);
+}
+
+void mark_extremes(Canvas& canvas, const Frame& frame, const Image& image, const DrawnField& field,
+                   const UnitScale& unit) {
   const std::string name = unit.name.empty() ? "" : " " + unit.name;
-  const std::string greatest = "max " + value_text(field.greatest / unit.factor) + name;
-  const std::string least = "min " + value_text(field.least / unit.factor) + name;
-  mark(canvas, frame, field.greatest_at, greatest, true);
-  if (field.least < field.greatest) mark(canvas, frame, field.least_at, least, false);
+  mark(canvas, frame, image, field.greatest_at, "max " + value_text(field.greatest / unit.factor) + name);
+  if (field.least < field.greatest)
+    mark(canvas, frame, image, field.least_at, "min " + value_text(field.least / unit.factor) + name);
 }
 
 }  // namespace
@@ -66,7 +103,7 @@ Picture field_picture(const PictureSource& source, const std::string& quantity) 
             draw_chains(canvas, frame, mesh.points, outlines(mesh), outline_style);
             draw_chains(canvas, frame, mesh.points, joint_lines(mesh), joint_style);
             draw_axes(canvas, frame);
-            mark_extremes(canvas, frame, *field, unit);
+            mark_extremes(canvas, frame, image, *field, unit);
             draw_bar(canvas, frame, bands, unit);
           }};
 }

@@ -81,18 +81,18 @@ void draw_axes(Canvas& canvas, const Frame& frame) {
   const double y_high = frame.top, y_low = frame.top - frame.height / frame.scale;
   const Point ring[] = {frame.corner, {right, frame.corner.y}, {right, bottom}, {frame.corner.x, bottom}};
   canvas.polyline(ring, axis_line, true);
-  // Equal steps on both axes, few enough for the shorter one.
-  const double step = round_up(std::max(x_high - x_low, y_high - y_low) / 7);
-  for (const double x : ticks(x_low, x_high, static_cast<int>((x_high - x_low) / step + 1e-6))) {
+  // Equal steps on both axes, but at least two on the shorter one.
+  const double longer = std::max(x_high - x_low, y_high - y_low);
+  const double step = round_down(longer / 4);
+  const double x_step = std::min(step, round_down((x_high - x_low) / 3));
+  const double y_step = std::min(step, round_down((y_high - y_low) / 3));
+  for (const double x : multiples(x_low, x_high, x_step)) {
     const double at = frame.at({x, 0}).x;
     canvas.line({at, bottom}, {at, bottom + 2.6}, axis_line);
-    canvas.text(at, bottom + 11, tick_text(x, step), aligned(tick_style, Align::center));
+    canvas.text(at, bottom + 11, tick_text(x, x_step), aligned(tick_style, Align::center));
   }
-  const int y_count = std::max(1, static_cast<int>((y_high - y_low) / step + 1e-6));
-  const std::vector<double> y_ticks = ticks(y_low, y_high, y_count);
-  const double y_step = y_ticks.size() > 1 ? y_ticks[1] - y_ticks[0] : step;
   double widest = 0;
-  for (const double y : y_ticks) {
+  for (const double y : multiples(y_low, y_high, y_step)) {
     const double at = frame.at({0, y}).y;
     const std::string text = tick_text(y, y_step);
     widest = std::max(widest, canvas.text_width(text, tick_style));

@@ -117,7 +117,7 @@ void draw_panel(Canvas& canvas, const std::vector<Curve>& curves, const Quantity
                 bool last) {
   const Panel axes = make_panel(curves, quantity, top);
   const UnitScale unit = unit_scale(quantity.unit, std::max(std::abs(axes.low), std::abs(axes.high)));
-  const auto marks = ticks(axes.low / unit.factor, axes.high / unit.factor, 4);
+  const auto marks = ticks(axes.low / unit.factor, axes.high / unit.factor, 5);
   const double step = marks.size() > 1 ? marks[1] - marks[0] : 1;
   for (const double value : marks) {
     const Point at = axes.at(axes.s_low, value * unit.factor);

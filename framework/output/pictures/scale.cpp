@@ -48,13 +48,15 @@ double round_down(double x) {
   return power;
 }
 
-std::vector<double> ticks(double low, double high, int count) {
+std::vector<double> multiples(double low, double high, double step) {
   std::vector<double> values;
-  if (!(high > low)) return {low};
-  const double step = round_up((high - low) / count);
   const double first = std::ceil(low / step - 1e-6), last = std::floor(high / step + 1e-6);
   for (double i = first; i <= last; ++i) values.push_back(i * step);
   return values;
+}
+
+std::vector<double> ticks(double low, double high, int count) {
+  return high > low ? multiples(low, high, round_up((high - low) / count)) : std::vector<double>{low};
 }
 
 std::string tick_text(double value, double step) {

@@ -22,6 +22,8 @@ double round_up(double x);
 double round_down(double x);
 /// Multiples of a round step inside [low, high], about `count` of them.
 std::vector<double> ticks(double low, double high, int count);
+/// Multiples of `step` inside [low, high].
+std::vector<double> multiples(double low, double high, double step);
 /// Text with as many decimals as a scale of this step needs; a true minus sign.
 std::string tick_text(double value, double step);
 /// Four significant digits; a true minus sign.
