@@ -55,12 +55,18 @@ void sync(const fs::path& path) {
   if (failed != 0 && failed != EINVAL && failed != EROFS) fail_to_write(path, failed);
 }
 
+// First all files start to go to disk, then each is waited for: one commit of the file system's journal
+// serves them all, where one after the other would take 20 ms each.
 void sync_all(const fs::path& folder, const std::vector<std::string>& names) {
   std::set<fs::path> folders;
   for (const std::string& name : names) {
-    sync(folder / name);
     folders.insert((folder / name).parent_path());
+    const int file = ::open((folder / name).c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) fail_to_write(folder / name, errno);
+    ::sync_file_range(file, 0, 0, SYNC_FILE_RANGE_WRITE);
+    ::close(file);
   }
+  for (const std::string& name : names) sync(folder / name);
   for (const fs::path& each : folders) sync(each);
 }
 

@@ -241,8 +241,9 @@ Sample make_sample(int fineness) {
   Sample sample;
   sample.scene.title = "Dam on a jointed foundation";
   sample.scene.root.kind = "scene";
-  sample.scene.root.entries = {entry("title", core::make_value("Dam", {"scene.lua", 3, "title"}), true),
-                               entry("thickness", core::make_value(1.0), false, core::parse_dimension("m"))};
+  sample.scene.root.entries = {
+      entry("title", core::make_value(std::string("Dam"), {"scene.lua", 3, "title"}), true),
+      entry("thickness", core::make_value(1.0), false, core::parse_dimension("m"))};
   sample.plan.stages = {
       {"self-weight", {{"gravity", "gravity", {"scene.lua", 20, "stages[1].gravity"}, false}}}};
   sample.plan.left_out = {{"water", "water", {"stage.water"}, false, "Water.", "water: it matters when …"}};
