@@ -18,7 +18,7 @@ program_packages=(
   libeigen3-dev liblua5.4-dev nlohmann-json3-dev libpugixml-dev zlib1g-dev
   libcgal-dev libgmp-dev libmpfr-dev libgmsh-dev
   libsuitesparse-dev libopenblas-dev libmetis-dev
-  libhdf5-dev libcairo2-dev fonts-dejavu-core
+  libhdf5-dev libcairo2-dev libpng-dev fonts-dejavu-core
 )
 # What only the tests need: VTK reads our files back, CalculiX computes the same scenes independently.
 test_packages=(libgtest-dev libbenchmark-dev libvtk9-dev calculix-ccx clang-format clang-tidy)
