@@ -30,6 +30,13 @@ std::vector<std::string> Schema::keys() const {
   return list;
 }
 
+Settings::Settings() = default;
+Settings::~Settings() = default;
+Settings::Settings(const Settings& other) = default;
+Settings::Settings(Settings&& other) noexcept = default;
+Settings& Settings::operator=(const Settings& other) = default;
+Settings& Settings::operator=(Settings&& other) noexcept = default;
+
 bool Settings::has(const std::string& key) const {
   return !value(key).is_nothing();
 }

@@ -89,6 +89,14 @@ class Settings {
         objects;  ///< objects inside a list (names "1", "2" …) or map
   };
 
+  // Settings hold settings: compilers need these declared before Entry's copies are asked for.
+  Settings();
+  ~Settings();
+  Settings(const Settings& other);
+  Settings(Settings&& other) noexcept;
+  Settings& operator=(const Settings& other);
+  Settings& operator=(Settings&& other) noexcept;
+
   std::string kind;
   std::string name;
   Place place;
