@@ -132,7 +132,10 @@ Value without_ends(const Value& scene, const core::Registry& registry) {
   for (Value& stage : list.items) stage = without_ends_in_stage(stage, schema);
   Table root = *scene.table();
   for (auto& [key, value] : root.entries)
-    if (key == "stages") value = core::make_value(std::move(list), value.place);
+    if (key == "stages") {
+      value = core::make_value(std::move(list), value.place);
+      break;
+    }
   return core::make_value(std::move(root), scene.place);
 }
 

@@ -84,7 +84,7 @@ framework_names_no_module() {
     files modules -- module.lua | xargs -r -d '\n' grep -hoE '\bname *= *"[^"]+"' | cut -d'"' -f2
   } | sort -u | while read -r word; do [[ $ordinary == *" $word "* ]] || echo "$word"; done | paste -sd'|')
   [[ -n $words ]] || return 0
-  files framework -- '*.cpp' '*.hpp' | xargs -r -d '\n' awk -v words="$words" '
+  files framework -- '*.cpp' '*.hpp' | grep -v '^framework/testing/' | xargs -r -d '\n' awk -v words="$words" '
     { line = $0; sub(/\/\/.*/, "", line) }
     match(line, "\"(" words ")\"") {
       print FILENAME ":" FNR ": the framework names " substr(line, RSTART, RLENGTH) ", which a module provides"
