@@ -108,7 +108,8 @@ std::string number_text(const Parameter& parameter, const char* word) {
 }
 
 std::string object_text(const Parameter& parameter) {
-  return "a " + parameter.kind;
+  const bool vowel = parameter.kind.find_first_of("aeiou") == 0;
+  return (vowel ? "an " : "a ") + parameter.kind;
 }
 
 std::string items_text(const Parameter& parameter, const char* word) {

@@ -59,6 +59,9 @@ TEST(support_check, names_the_body_and_its_free_motions) {
   EXPECT_EQ(complaint(joined, {held_at({2, 0}, "y")}),
             "nothing holds 'dam' with 'rock' in stage 'weight': it can slide in x and rotate");
   EXPECT_EQ(complaint(joined, {held_at({0, 0}, "xy"), held_at({1, 0}, "y")}), "");
+  EXPECT_EQ(complaint(joined, {held("rock.left", "x"), held_at({1, 0}, "y")}), "");
+  EXPECT_EQ(complaint(joined, {held("rock.bottom", "x"), held_at({1, 0}, "y")}),
+            "nothing holds 'dam' with 'rock' in stage 'weight': it can rotate about (1, 0)");
 }
 
 TEST(support_check, each_body_needs_its_own) {
