@@ -115,6 +115,7 @@ int run(const CommandLine& line) {
                            {},
                            {},
                            {},
+                           scenario->registry.open_modules(),
                            {},
                            1};
   add_provenance(line, scenario->script, record);

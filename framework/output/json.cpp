@@ -157,6 +157,7 @@ std::string results_json(const RunRecord& record) {
   json["timings"] = timings(record.ledger);
   json["memory"] = {{"peak_bytes", core::peak_memory()}};
   json["effects"] = effects(record.plan);
+  json["modules"] = record.modules;
   json["parameters"] = object();
   for (const ParameterValue& parameter : record.parameters)
     json["parameters"][parameter.name] = parameter.value;

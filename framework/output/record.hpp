@@ -39,6 +39,7 @@ struct RunRecord {
   std::vector<Source> sources;
   std::vector<ParameterValue> parameters;
   std::vector<std::pair<std::string, std::string>> versions;  ///< program first, then libraries
+  std::vector<std::string> modules;                           ///< whose libraries were opened
   std::string command_line;
   int threads = 1;
 };
