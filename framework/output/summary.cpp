@@ -107,9 +107,12 @@ std::string extremes_text(const model::RunResult& result) {
   };
   Rows rows = {{"", "least", "at [m]", "greatest", "at [m]"}};
   for (const model::Extreme& e : stage.extremes) {
-    // Nodal and cell values of one quantity say the same twice; strains say little to a reader of stresses.
+    // Nodal and cell values of one quantity say the same twice; strains and angles say little at their
+    // extremes.
     const std::size_t cells = e.quantity.find(" (cells)");
-    if (e.unit.empty() || (cells != std::string::npos && nodal(e.quantity.substr(0, cells)))) continue;
+    if (e.unit.empty() || e.unit == "deg" || e.unit == "rad" ||
+        (cells != std::string::npos && nodal(e.quantity.substr(0, cells))))
+      continue;
     rows.push_back({e.quantity, short_quantity(e.least, e.unit), place_text(e.least_at.x, e.least_at.y),
                     short_quantity(e.greatest, e.unit), place_text(e.greatest_at.x, e.greatest_at.y)});
   }

@@ -78,7 +78,7 @@ libraries_in_their_rooms() {
 
 # Words that a module provides, as whole string literals in the framework; ordinary words are not held against it.
 framework_names_no_module() {
-  local ordinary=" none strain stress file penalty points free loads " words
+  local ordinary=" none strain stress stress_nodes principal_stress file penalty points free loads " words
   words=$({
     for folder in modules/*/; do [[ -d $folder ]] && basename "$folder"; done
     files modules -- module.lua | xargs -r -d '\n' grep -hoE '\bname *= *"[^"]+"' | cut -d'"' -f2

@@ -84,7 +84,7 @@ Bands make_bands(double low, double high, double least, double greatest) {
     return {low - step / 2, step, {sequential(0.5)}, false, false};
   }
   Bands bands;
-  bands.step = round_up((high - low) / 11);
+  bands.step = round_up((high - low) / 13);
   const double from = std::floor(low / bands.step + 1e-6), to = std::ceil(high / bands.step - 1e-6);
   bands.first = from * bands.step;
   const int count = static_cast<int>(to - from);

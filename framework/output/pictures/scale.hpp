@@ -38,8 +38,8 @@ struct Bands {
   int count() const { return static_cast<int>(colors.size()); }
 };
 
-/// About ten bands over [low, high], the range to be told apart; [least, greatest] is what the field holds.
-/// A range well on both sides of zero takes the diverging colours, white at zero.
+/// Six to fourteen bands over [low, high], the range to be told apart; [least, greatest] is what the field
+/// holds. A range well on both sides of zero takes the diverging colours, white at zero.
 Bands make_bands(double low, double high, double least, double greatest);
 
 }  // namespace ashlar::output

@@ -56,7 +56,7 @@ TEST(scale, bands_cover_the_range_and_say_what_lies_outside) {
   EXPECT_LE(bands.first, -3.1e5);
   EXPECT_GE(bands.edge(bands.count()), -1e4);
   EXPECT_GE(bands.count(), 6);
-  EXPECT_LE(bands.count(), 13);
+  EXPECT_LE(bands.count(), 14);
   EXPECT_FALSE(bands.open_below);
   EXPECT_TRUE(bands.open_above);
   EXPECT_EQ(make_bands(7, 7, 7, 7).count(), 1);
