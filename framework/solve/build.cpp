@@ -42,7 +42,7 @@ void name_file_regions(const model::Scene& scene, mesh::RawMesh& raw, core::Mist
     const auto found = std::find(raw.regions.begin(), raw.regions.end(), scene.regions[r].mesh_group);
     if (found == raw.regions.end())
       mistakes.add(scene.regions[r].place,
-                   "the mesh file has no region '" + scene.regions[r].mesh_group + "'",
+                   "the mesh file has no cells in a group '" + scene.regions[r].mesh_group + "'",
                    core::did_you_mean(scene.regions[r].mesh_group, raw.regions));
     else
       to_scene[found - raw.regions.begin()] = static_cast<Index>(r);
