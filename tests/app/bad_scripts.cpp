@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-#include "program.hpp"
+#include "call.hpp"
 
 namespace ashlar::test {
 namespace {
@@ -29,7 +29,7 @@ struct Expected {
 
 Expected expected_of(const fs::path& script) {
   Expected expected;
-  std::istringstream lines(text_of(script));
+  std::istringstream lines(read(script));
   const std::string expect = "-- expect", options = "-- options: ";
   for (std::string line; std::getline(lines, line) && line.starts_with("-- ");) {
     if (line.starts_with(options)) expected.options = line.substr(options.size());

@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "program.hpp"
+#include "call.hpp"
 
 namespace ashlar::test {
 namespace {
@@ -20,10 +20,6 @@ return Scene {
   outputs = { pictures = false },
 }
 )";
-
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream(file) << text;
-}
 
 TEST(command_line, help_and_version_are_no_mistakes) {
   EXPECT_EQ(call("--help").code, 0);
@@ -76,13 +72,13 @@ TEST(command_line, a_failed_run_keeps_earlier_results) {
   const std::string run =
       "run " + quoted(folder / "scene.lua") + " --quiet --json " + quoted(folder / "r.json");
   ASSERT_EQ(call(run).code, 0);
-  const std::string store = text_of(folder / "results/results.h5"), json = text_of(folder / "r.json");
+  const std::string store = read(folder / "results/results.h5"), json = read(folder / "r.json");
   ASSERT_FALSE(store.empty());
   ASSERT_FALSE(json.empty());
   write(folder / "scene.lua", std::string(sound_scene).replace(1, 5, "lokal"));
   EXPECT_EQ(call(run).code, 2);
-  EXPECT_EQ(text_of(folder / "results/results.h5"), store);
-  EXPECT_EQ(text_of(folder / "r.json"), json);
+  EXPECT_EQ(read(folder / "results/results.h5"), store);
+  EXPECT_EQ(read(folder / "r.json"), json);
 }
 
 TEST(command_line, a_folder_that_cannot_be_written_is_a_mistake) {
@@ -92,7 +88,7 @@ TEST(command_line, a_folder_that_cannot_be_written_is_a_mistake) {
   const Ended ended = call("run " + quoted(folder / "scene.lua") + " --out " + quoted(folder / "taken"));
   EXPECT_EQ(ended.code, 2) << ended.err;
   EXPECT_NE(ended.err.find("taken"), std::string::npos) << ended.err;
-  EXPECT_EQ(text_of(folder / "taken"), "a file, not a folder");
+  EXPECT_EQ(read(folder / "taken"), "a file, not a folder");
   if (geteuid() == 0) return;  // root may write everywhere
   fs::create_directory(folder / "closed");
   chmod((folder / "closed").c_str(), 0500);
@@ -104,12 +100,12 @@ TEST(command_line, a_full_disk_leaves_earlier_results) {
   write(folder / "scene.lua", sound_scene);
   const std::string run = "run " + quoted(folder / "scene.lua") + " --quiet";
   ASSERT_EQ(call(run).code, 0);
-  const std::string store = text_of(folder / "results/results.h5");
+  const std::string store = read(folder / "results/results.h5");
   // A limit on the size of files fails a write halfway, as a full disk does.
   const Ended ended = call(run, source_folder, "ulimit -f 8;");
   EXPECT_EQ(ended.code, 2) << ended.err;
   EXPECT_NE(ended.err.find("results"), std::string::npos) << ended.err;
-  EXPECT_EQ(text_of(folder / "results/results.h5"), store);
+  EXPECT_EQ(read(folder / "results/results.h5"), store);
 }
 
 TEST(command_line, scripts_reach_files_only_with_trust) {

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "call.hpp"
 #include "output/files.hpp"
-#include "program.hpp"
 #include "script/script.hpp"
 
 namespace ashlar::test {
@@ -76,7 +76,7 @@ TEST_P(Example, gives_its_expected_numbers) {
     const Ended ended = call("run " + quoted(folder) + " --quiet --out " + quoted(scratch / "results") +
                              " --json " + quoted(scratch / "results.json") + settings_of(*run.table()));
     ASSERT_EQ(ended.code, 0) << ended.err;
-    const json results = json::parse(text_of(scratch / "results.json"));
+    const json results = json::parse(read(scratch / "results.json"));
     for (const core::Value& number : run.table()->find("numbers")->table()->items)
       check_number(results, *number.table());
     for (const json& stage : results.at("stages"))
