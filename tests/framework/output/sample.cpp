@@ -233,6 +233,7 @@ RunRecord Sample::record() const {
           {{"scene.lua", "return Scene { title = \"δ\" }\n"}},
           {{"cells", "500", true}, {"level", "15 m", false}},
           {{"ashlar", "0.1.0"}},
+          {"gravity"},
           "ashlar run examples/jointed_dam",
           2};
 }
