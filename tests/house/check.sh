@@ -76,12 +76,14 @@ libraries_in_their_rooms() {
     grep -v '^framework/output/' | sed 's/$/ : HDF5 and Cairo belong to framework\/output/'
 }
 
-# Words that a module provides, as whole string literals in the framework; ordinary words are not held against it.
+# Words that a module provides, as whole string literals in the framework. Ordinary words are not held against it,
+# nor are the names of fields, by which modules and output speak with each other.
 framework_names_no_module() {
-  local ordinary=" none strain stress stress_nodes principal_stress file penalty points free loads " words
+  local ordinary=" none file penalty points free loads " words
   words=$({
     for folder in modules/*/; do [[ -d $folder ]] && basename "$folder"; done
-    files modules -- module.lua | xargs -r -d '\n' grep -hoE '\bname *= *"[^"]+"' | cut -d'"' -f2
+    files modules -- module.lua | xargs -r -d '\n' grep -hv 'kind = "field"' |
+      grep -oE '\bname *= *"[^"]+"' | cut -d'"' -f2
   } | sort -u | while read -r word; do [[ $ordinary == *" $word "* ]] || echo "$word"; done | paste -sd'|')
   [[ -n $words ]] || return 0
   files framework -- '*.cpp' '*.hpp' | grep -v '^framework/testing/' | xargs -r -d '\n' awk -v words="$words" '

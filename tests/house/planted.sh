@@ -3,8 +3,8 @@
 #   planted.sh ROOT
 set -uo pipefail
 
-root=$1
-check=$(dirname "${BASH_SOURCE[0]}")/check.sh
+root=$(cd "$1" && pwd)
+check=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/check.sh
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 failed=0

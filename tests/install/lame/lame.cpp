@@ -13,9 +13,10 @@ class Lame final : public model::Material {
   model::Response respond(const model::Voigt& strain, std::span<const double>,
                           std::span<double>) const override {
     const double axial = lambda_ + 2 * mu_;
-    return {{axial * strain[0] + lambda_ * strain[1], lambda_ * strain[0] + axial * strain[1], mu_ * strain[2]},
-            lambda_ * (strain[0] + strain[1]),
-            {axial, lambda_, 0, lambda_, axial, 0, 0, 0, mu_}};
+    return {
+        {axial * strain[0] + lambda_ * strain[1], lambda_ * strain[0] + axial * strain[1], mu_ * strain[2]},
+        lambda_ * (strain[0] + strain[1]),
+        {axial, lambda_, 0, lambda_, axial, 0, 0, 0, mu_}};
   }
   double unit_weight(double) const override { return -1; }
   double shear_modulus() const override { return mu_; }
