@@ -89,8 +89,8 @@ TEST(transaction, a_forged_manifest_reaches_nothing_outside) {
 
 TEST(transaction, leftovers_of_killed_runs_go_those_of_living_runs_stay) {
   const fs::path root = fresh_folder("leftovers"), folder = root / "results";
-  // No process has a number this large.
-  const fs::path killed = root / ".results.partial-999999999", living = root / ".results.partial-1";
+  // No process has numbers this large: only the lock tells the living (in a container, say) from the dead.
+  const fs::path killed = root / ".results.partial-999999999", living = root / ".results.partial-999999998";
   for (const fs::path& path : {killed, living}) {
     fs::create_directories(path);
     write_file(path / ".lock", "");
