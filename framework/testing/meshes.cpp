@@ -28,10 +28,14 @@ class Collector {
 
  private:
   Index number(Point p) {
-    const std::pair key{std::llround(p.x * 1e11), std::llround(p.y * 1e11)};
-    const auto [entry, is_new] = numbers_.emplace(key, static_cast<Index>(raw_.points.size()));
-    if (is_new) raw_.points.push_back(p);
-    return entry->second;
+    const long long x = std::llround(p.x * 1e11), y = std::llround(p.y * 1e11);
+    for (const long long i : {x, x - 1, x + 1}) {
+      for (const long long j : {y, y - 1, y + 1}) {
+        if (const auto found = numbers_.find({i, j}); found != numbers_.end()) return found->second;
+      }
+    }
+    raw_.points.push_back(p);
+    return numbers_[{x, y}] = static_cast<Index>(raw_.points.size()) - 1;
   }
   mesh::RawMesh raw_;
   std::map<std::pair<long long, long long>, Index> numbers_;
