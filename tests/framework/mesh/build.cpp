@@ -199,6 +199,8 @@ TEST(build, free_points_near_the_joint_move_onto_it) {
   expect_sound(mesh);
   EXPECT_EQ(mesh.joints[0].lips[0].size(), 4u);
   EXPECT_EQ(count_at(mesh, {0.5, 0.5005}), 2);
+  EXPECT_EQ(count_at(mesh, {0.5, 0.5}), 0);
+  EXPECT_EQ(count_at(mesh, {0, 0.5}), 1);  // a border's point does not move
 }
 
 TEST(build, random_joints_keep_area_and_soundness) {

@@ -106,8 +106,11 @@ TEST(domain, booleans_with_holes_and_arcs) {
 }
 
 TEST(domain, arcs_shared_in_part_have_the_same_chords) {
-  // Two sectors of one circle, the second shifted by 45°, with a ring segment outside that spans both.
-  const double c = std::sqrt(0.5);
+  // Two sectors of one circle that meet at 50°, and outside of them a quarter of a ring that touches both.
+  const auto on_circle = [](double degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    return Point{std::cos(angle), std::sin(angle)};
+  };
   const auto sector = [&](Point a, Point b) {
     geo::Shape shape = polygon({{0, 0}, a, b});
     shape.rings[0][1].arc = geo::Arc{{0, 0}, true};
@@ -115,9 +118,19 @@ TEST(domain, arcs_shared_in_part_have_the_same_chords) {
   };
   geo::Shape outside = polygon({{1, 0}, {2, 0}, {0, 2}, {0, 1}});
   outside.rings[0][3].arc = geo::Arc{{0, 0}, false};
-  const auto domain =
-      made({region("a", sector({1, 0}, {c, c})), region("b", sector({c, c}, {-c, c})), region("c", outside)});
+  const auto domain = made({region("a", sector({1, 0}, on_circle(50))),
+                            region("b", sector(on_circle(50), on_circle(140))), region("c", outside)});
   EXPECT_EQ(domain.faces.size(), 3u);
+}
+
+TEST(domain, joint_along_an_edge_inside_a_united_region_is_no_border) {
+  const auto left = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {"", "seam", "", ""});
+  const auto right = polygon({{1, 0}, {2, 0}, {2, 1}, {1, 1}}, {"", "end", "", ""});
+  const auto both = operation(geo::Shape::Kind::unite, {left, right});
+  const auto domain = made({region("r", both)}, {joint("j", {{1, 0.2}, {1, 0.8}})});
+  EXPECT_EQ(border_length(domain, "r.seam"), 0);
+  EXPECT_EQ(border_length(domain, "r.end"), 1);
+  EXPECT_EQ(domain.faces.size(), 1u);
 }
 
 TEST(domain, joints_cross_and_end_anywhere_inside) {
