@@ -32,6 +32,7 @@ struct Model {
 struct Constraints {
   std::vector<char> held;      ///< by dof
   std::vector<double> value;   ///< by dof: prescribed displacement [m]; 0 where free
+  std::vector<char> in_place;  ///< by dof: held where the stage finds it; its value does not count
   std::vector<Index> unknown;  ///< by dof: number of the free unknown, -1 if held
   std::vector<Index> dof;      ///< by unknown
   Index unknowns() const { return static_cast<Index>(dof.size()); }

@@ -42,7 +42,7 @@ void read_movement(const Settings& support, SupportData& data, Mistakes& mistake
   for (std::size_t c = 0; c < 2; ++c) {
     const auto [letter, key] = components[c];
     const bool fixed = fix.find(letter) != std::string::npos;
-    if (fixed) data.move[c] = core::make_value(0.0, support.place_of("fix"));
+    if (fixed) data.move[c] = Value{support.place_of("fix"), {}};
     if (!support.has(key)) continue;
     if (fixed)
       mistakes.add(support.place_of(key), std::string("the same component is held by fix = \"") + fix + "\"",
@@ -155,7 +155,7 @@ std::vector<SupportData> read_supports(const Settings& owner, const Names& names
     data.name = data.edge = name;
     data.place = value.place;
     for (std::size_t c = 0; c < 2; ++c)
-      if (value.text()->find("xy"[c]) != std::string::npos) data.move[c] = core::make_value(0.0, value.place);
+      if (value.text()->find("xy"[c]) != std::string::npos) data.move[c] = Value{value.place, {}};
     supports.push_back(std::move(data));
   }
   return supports;

@@ -28,13 +28,14 @@ struct JointData {
   core::Settings settings;  ///< friction, enforcement … as modules extended kind "joint"
 };
 
-/// Dofs held at zero, or moved by a number or function of (x, y).
+/// Dofs held where they are, or moved by a number or function of (x, y).
 struct SupportData {
   std::string name;                                ///< for the balance: "rock.bottom"
   std::string edge;                                ///< an edge group, or
   std::optional<Point> at;                         ///< the nearest mesh point, or
   std::optional<std::array<Point, 2>> box;         ///< all mesh points inside (two opposite corners)
-  std::array<std::optional<core::Value>, 2> move;  ///< by component: number or function [m]; absent: free
+  std::array<std::optional<core::Value>, 2> move;  ///< by component: number or function [m], nothing: held
+                                                   ///< where it is; absent: free
   core::Place place;
 };
 

@@ -116,7 +116,8 @@ Schema support() {
        point("at", "the nearest mesh point"),
        parameter("box", Form::list, "two opposite corners") |
            each(parameter("", Form::point, "") | in_metres()),
-       parameter("fix", Form::text, "components held at zero") | one_of({"x", "y", "xy"}),
+       parameter("fix", Form::text, "components held where they are when the stage begins") |
+           one_of({"x", "y", "xy"}),
        movement("ux", "prescribed displacement in x: a number or a function of (x, y)"),
        movement("uy", "prescribed displacement in y: a number or a function of (x, y)")}};
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "solve/build.hpp"
 
@@ -46,8 +47,9 @@ Held find_held(const model::Model& model, const model::SupportData& support, cor
   return held;
 }
 
-/// The prescribed displacement of one component at a place.
-double moved_to(const core::Value& value, Point at) {
+/// The prescribed displacement of one component at a place; nothing: held where it is.
+std::optional<double> moved_to(const core::Value& value, Point at) {
+  if (value.is_nothing()) return {};
   if (const core::Quantity* number = value.quantity()) return number->value;
   const std::array<double, 2> arguments{at.x, at.y};
   return value.function()->call(arguments).at(0);
@@ -58,15 +60,17 @@ struct Hold {
   core::Mistakes& mistakes;
   std::vector<char> clashed;
 
-  void at(Index dof, double value, const model::SupportData& support, Point place) {
-    if (constraints.held[dof] && constraints.value[dof] != value && !clashed[dof]) {
+  void at(Index dof, std::optional<double> value, const model::SupportData& support, Point place) {
+    const bool clash = constraints.value[dof] != value.value_or(0);
+    if (constraints.held[dof] && clash && !clashed[dof]) {
       clashed[dof] = 1;
       mistakes.add(support.place, "the point (" + core::format_quantity(place.x, {1, 0, 0}) + ", " +
                                       core::format_quantity(place.y, {1, 0, 0}) +
                                       ") is held at two different displacements");
     }
+    constraints.in_place[dof] = !value && (!constraints.held[dof] || constraints.in_place[dof]);
     constraints.held[dof] = 1;
-    constraints.value[dof] = value;
+    constraints.value[dof] = value.value_or(0);
   }
 };
 
@@ -78,6 +82,7 @@ model::Constraints build_constraints(const model::Model& model, const model::Sta
   const Index size = model.dofs.size();
   constraints.held.assign(size, 0);
   constraints.value.assign(size, 0);
+  constraints.in_place.assign(size, 0);
   Hold hold{constraints, mistakes, std::vector<char>(size)};
   for (const auto& support : stage.supports) {
     const Held held = find_held(model, support, mistakes);

@@ -122,7 +122,7 @@ class March {
       const double to = std::min(1.0, reached + size);
       for (std::size_t dof = 0; dof < load.size(); ++dof) {
         load[dof] = to == 1 ? ready.load[dof] : start.load[dof] + to * (ready.load[dof] - start.load[dof]);
-        const double end = ready.constraints.value[dof];
+        const double end = ready.constraints.in_place[dof] ? from[dof] : ready.constraints.value[dof];
         prescribed[dof] = to == 1 ? end : from[dof] + to * (end - from[dof]);
       }
       const StepReport report = advance(bulk, local, ready.constraints, {load, prescribed}, state_);

@@ -73,6 +73,27 @@ TEST(March, MovesPrescribedDofs) {
               1e-9);
 }
 
+TEST(March, ASupportAddedLaterHoldsWhereItFindsThePoint) {
+  World world;
+  world.stage("push", -1).supports = {World::fix("square.bottom")};
+  world.stage("hold", 0).supports = {World::fix("square.bottom"), World::fix("square.top")};
+  world.stage("unload", 1);
+  world.scene.stages[2].supports = world.scene.stages[1].supports;
+  world.contribute([&](const auto& context, auto& terms) {
+    terms.stiffness.push_back(world.springs);
+    if (context.stage.name != "unload") terms.loads.push_back(std::make_shared<toy::PointLoad>(x2, 10));
+  });
+  const auto result = world.run();
+  ASSERT_TRUE(result.converged);
+  // Nothing moves, neither when the support comes nor when the load goes: the support takes it over.
+  for (const toy::Index dof : {x2, y2, y3}) {
+    EXPECT_NEAR(World::u(result, 1, dof), World::u(result, 0, dof), 1e-18);
+    EXPECT_NEAR(World::u(result, 2, dof), World::u(result, 0, dof), 1e-18);
+  }
+  EXPECT_GT(World::u(result, 0, x2), 1e-6);
+  EXPECT_NEAR(result.stages[2].balance.reaction.x, 0, 1e-9);
+}
+
 TEST(March, BranchesFromANamedStage) {
   World world = pushed_square();
   auto& branch = world.stage("branch", 0);

@@ -174,6 +174,13 @@ struct World {
     if (y) support.move[1] = core::make_value(*y);
     return support;
   }
+  /// Holds an edge's points where the stage finds them.
+  static model::SupportData fix(const std::string& edge) {
+    model::SupportData support;
+    support.name = support.edge = edge;
+    support.move = {core::Value{}, core::Value{}};
+    return support;
+  }
   model::RunResult run() {
     solve::Observer observer;
     return solve::march({scene, plan, model, registry, effects}, observer);
