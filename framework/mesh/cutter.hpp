@@ -51,6 +51,7 @@ class Cutter {
   Index cell_around(Point p) const;
   Index extend(Index cell, Point from, Point towards, Index avoid);
   bool visible(Index cell, Point from, Index corner) const;
+  bool cut_stations(const std::vector<Station>& stations);
   bool cut_run(const Station* before, std::vector<Station> inside, const Station* after);
   bool fail(Point p);
 
@@ -62,7 +63,6 @@ class Cutter {
   std::vector<Box> boxes_;
   std::vector<bool> fixed_;
   std::map<std::array<Index, 2>, std::vector<std::string>> edge_names_;
-  std::vector<Station> made_;  // inner points that this path has made
   Point failed_at_;
 };
 

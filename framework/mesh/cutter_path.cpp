@@ -196,19 +196,17 @@ bool Cutter::cut_run(const Station* before, std::vector<Station> inside, const S
     points_.push_back(station.at);
     point_cells_.emplace_back();
     fixed_.push_back(true);
-    made_.push_back(station);
     between.push_back(station.point);
   }
   return split_cell(cell, start, between, end) || fail(probe);
 }
 
 bool Cutter::follow(const std::vector<Point>& path) {
-  // A closed path may lie inside one cell: its halves do not close.
-  if (path.size() > 3 && path.front() == path.back()) {
-    const auto middle = path.begin() + static_cast<std::ptrdiff_t>(path.size() / 2);
-    return follow({path.begin(), middle + 1}) && follow({middle, path.end()});
+  // A path that comes back to a point may do so inside one cell: each part passes the point once.
+  for (auto first = path.begin(); first != path.end(); ++first) {
+    if (std::find(first + 1, path.end(), *first) == path.end()) continue;
+    return follow({path.begin(), first + 2}) && follow({first + 1, path.end()});
   }
-  made_.clear();
   std::vector<Station> ends;
   for (const Point p : path) ends.push_back(locate(p));
   for (std::size_t i = 0; i + 1 < path.size(); ++i) attract(ends[i].at, ends[i + 1].at);
@@ -218,21 +216,35 @@ bool Cutter::follow(const std::vector<Point>& path) {
     for (const Index p : points_between(ends[i], ends[i + 1])) stations.push_back({p, points_[p]});
     stations.push_back(ends[i + 1]);
   }
-  std::vector<Station> inside;
-  const Station* before = nullptr;
-  for (Station& station : stations) {
-    for (const Station& made : made_) {
-      if (station.point < 0 && made.at == station.at) station.point = made.point;
-    }
+  return cut_stations(stations);
+}
+
+// Parts between mesh points come first: what extends the tips must end at them and may cross the other tip's
+// part.
+bool Cutter::cut_stations(const std::vector<Station>& stations) {
+  std::vector<Point> head, tail;
+  const Station *first = nullptr, *before = nullptr;
+  for (const Station& station : stations) {
     if (station.point < 0) {
-      inside.push_back(station);
+      (before ? tail : head).push_back(station.at);
       continue;
     }
-    if ((before || !inside.empty()) && !cut_run(before, std::exchange(inside, {}), &station)) return false;
+    std::vector<Station> inside;
+    for (const Point p : std::exchange(tail, {})) inside.push_back({-1, p});
+    if (before && !cut_run(before, std::move(inside), &station)) return false;
+    if (!before) first = &station;
     before = &station;
     fix(station.point);
   }
-  return inside.empty() || cut_run(before, inside, nullptr);
+  if (!first) {
+    if (head.size() == 2) return cut_run(nullptr, {stations[0], stations[1]}, nullptr);
+    return follow({head[0], head[1]}) && follow({head.begin() + 1, head.end()});
+  }
+  if (head.size() == 1 && !cut_run(nullptr, {stations.front()}, first)) return false;
+  if (head.size() > 1 && !(follow({head.back(), first->at}) && follow(head))) return false;
+  if (tail.empty()) return true;
+  if (tail.size() == 1 && head.empty()) return cut_run(before, {stations.back()}, nullptr);
+  return follow({before->at, tail.front()}) && (tail.size() == 1 || follow(tail));
 }
 
 }  // namespace ashlar::mesh

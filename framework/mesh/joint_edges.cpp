@@ -27,6 +27,21 @@ bool chain_of(const std::vector<PointOnSegment>& on, const Domain& domain, const
   return true;
 }
 
+// Arc length along the joint at each point, in proportion to the edges: it grows even over edges shorter than
+// the tolerance that stand across the joint.
+std::vector<double> positions_on(const std::vector<PointOnSegment>& on, const Domain::Segment& segment,
+                                 const Domain& domain, const std::vector<Point>& points) {
+  std::vector<double> sum(on.size(), 0.0);
+  for (std::size_t k = 1; k < on.size(); ++k) {
+    sum[k] = sum[k - 1] + geometry::distance(points[on[k - 1].point], points[on[k].point]);
+  }
+  const double length = geometry::distance(domain.points[segment.from], domain.points[segment.to]),
+               total = sum.back();
+  for (double& s : sum)
+    s = segment.joint_position + length * ((segment.joint_reversed ? total - s : s) / total);
+  return sum;
+}
+
 Index region_of(const RawMesh& raw, const JointLine& joint, const std::string& name) {
   const auto found = std::find(raw.regions.begin(), raw.regions.end(), name);
   if (found != raw.regions.end()) return static_cast<Index>(found - raw.regions.begin());
@@ -49,23 +64,14 @@ FollowedSegments follow_segments(const Domain& domain, const std::vector<Point>&
       result.missing.push_back(i);
       continue;
     }
-    const double length = geometry::distance(domain.points[segment.from], domain.points[segment.to]);
+    const auto position = positions_on(on, segment, domain, points);
     for (std::size_t k = 0; k < chain.size(); ++k) {
       result.border_edges.emplace_back(i, chain[k]);
       if (segment.joint < 0) continue;
-      JointEdge edge{segment.joint,
-                     chain[k],
-                     on[k].point,
-                     on[k + 1].point,
-                     segment.joint_position + on[k].t * length,
-                     segment.joint_position + on[k + 1].t * length};
+      JointEdge edge{segment.joint, chain[k], on[k].point, on[k + 1].point, position[k], position[k + 1]};
       if (segment.joint_reversed) {
-        edge = {segment.joint,
-                chain[k],
-                on[k + 1].point,
-                on[k].point,
-                segment.joint_position + (1 - on[k + 1].t) * length,
-                segment.joint_position + (1 - on[k].t) * length};
+        std::swap(edge.from, edge.to);
+        std::swap(edge.s_from, edge.s_to);
       }
       result.joint_edges.push_back(edge);
     }

@@ -188,7 +188,7 @@ TEST(build, oblique_joint_cuts_every_family) {
 TEST(build, joint_inside_one_cell_is_extended_at_both_ends) {
   const Mesh mesh = square_mesh(structured_square(2), {joint("j", {{0.1, 0.2}, {0.2, 0.25}, {0.3, 0.2}})});
   expect_sound(mesh);
-  EXPECT_EQ(mesh.cell_count(), 5);
+  EXPECT_EQ(mesh.cell_count(), 6);
   EXPECT_EQ(count_at(mesh, {0.2, 0.25}), 2);
   EXPECT_EQ(count_at(mesh, {0.1, 0.2}), 1);
   expect_lips(mesh, 0, 2 * std::hypot(0.1, 0.05));
@@ -230,6 +230,23 @@ TEST(build, random_joints_keep_area_and_soundness) {
     EXPECT_EQ(mesh.points, again.points);
     EXPECT_TRUE(std::equal(mesh.cell_points.values().begin(), mesh.cell_points.values().end(),
                            again.cell_points.values().begin()));
+  }
+}
+
+TEST(build, paths_that_meet_themselves_or_turn_back_in_one_cell) {
+  const std::vector<std::vector<Point>> paths{
+      {{0.5688, 0.62}, {0.1318, 0.5983}, {0.125, 0.4904}, {0.25, 1}},
+      {{0.4061, 0.4686}, {0.4619, 0.7813}, {0.213, 0.3822}, {0.5079, 0.125}},
+      {{0.5322, 0.8863}, {0.75, 0.0321}, {0.4208, 0.875}, {0.7435, 1}}};
+  for (const auto& family : ugly_families()) {
+    SCOPED_TRACE(family.name);
+    for (std::size_t k = 0; k < paths.size(); ++k) {
+      for (int n = 2; n <= 6; ++n) {
+        const Mesh mesh = square_mesh(family.make(n), {joint("j", paths[k])});
+        expect_sound(mesh);
+        EXPECT_NEAR(area(mesh), 1, 1e-14);
+      }
+    }
   }
 }
 
