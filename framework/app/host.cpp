@@ -43,6 +43,12 @@ void check_scenario(Scenario& scenario, core::Mistakes& mistakes) {
   if (mistakes.empty()) model::check_support(scene, domain, mistakes);
 }
 
+/// What can be judged although other parts of the scene are wrong, so that one run reports as much as it can.
+void check_sound_parts(Scenario& scenario, core::Mistakes& mistakes) {
+  if (scenario.scene.root.has("plane")) solve::build_materials(scenario.scene, scenario.registry, mistakes);
+  if (scenario.scene.drawn) solve::build_domain(scenario.scene, mistakes);
+}
+
 }  // namespace
 
 std::vector<fs::path> module_folders() {
@@ -75,8 +81,10 @@ std::unique_ptr<Scenario> read_scenario(const CommandLine& line) {
     scenario->script = script::read_scene(line.words.front(), scenario->registry, options, mistakes);
   }
   const auto timing = core::ledger().time("check");
-  if (!scenario->script.scene.is_nothing())
+  if (!scenario->script.scene.is_nothing()) {
     scenario->scene = model::read_scene(scenario->script.scene, scenario->registry, mistakes);
+    if (!mistakes.empty()) check_sound_parts(*scenario, mistakes);
+  }
   mistakes.throw_if_any();
   scenario->plan = model::make_plan(scenario->scene, scenario->registry);
   check_scenario(*scenario, mistakes);

@@ -1,5 +1,6 @@
 #include "core/schema.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -93,6 +94,12 @@ const Settings& Settings::object(const std::string& key) const {
 
 const std::vector<std::pair<std::string, Settings>>& Settings::objects(const std::string& key) const {
   return entry(key).objects;
+}
+
+bool Settings::complete(const Schema& schema) const {
+  return std::all_of(schema.parameters.begin(), schema.parameters.end(), [&](const Parameter& parameter) {
+    return !parameter.required || parameter.key.empty() || has(parameter.key);
+  });
 }
 
 Place Settings::place_of(const std::string& key) const {

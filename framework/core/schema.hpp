@@ -117,6 +117,8 @@ class Settings {
   const Settings& object(const std::string& key) const;
   const std::vector<std::pair<std::string, Settings>>& objects(const std::string& key) const;
   Place place_of(const std::string& key) const;
+  /// Every required parameter of `schema` is there and sound.
+  bool complete(const Schema& schema) const;
 };
 
 /// Checks `value` against `schema`. Every mistake goes to `mistakes` with its place; values that are wrong

@@ -147,6 +147,15 @@ std::vector<ProbeData> read_probes(const Settings& root, Mistakes& mistakes) {
   return probes;
 }
 
+// Materials do not count: regions can be arranged whatever they are made of.
+bool any_mistake_in_drawing(const Mistakes& mistakes) {
+  return std::any_of(mistakes.list().begin(), mistakes.list().end(), [](const core::Mistake& mistake) {
+    const std::string& path = mistake.place.path;
+    return path.starts_with("joints") ||
+           (path.starts_with("geometry") && path.find(".material") == std::string::npos);
+  });
+}
+
 // A kind of which only one entry exists need not be said.
 Settings chosen(const std::string& kind, Settings& root, core::Registry& registry, Mistakes& mistakes) {
   for (Settings::Entry& entry : root.entries) {
@@ -199,6 +208,7 @@ Scene read_scene(const core::Value& value, core::Registry& registry, Mistakes& m
   names.edges_unknown = names.edges_unknown || !complete;
   read_stages(value, root, names, scene.stages, mistakes);
   check_names(root, registry, names, mistakes);
+  scene.drawn = complete && !any_mistake_in_drawing(mistakes);
   return scene;
 }
 

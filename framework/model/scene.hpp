@@ -68,6 +68,8 @@ struct Scene {
   std::vector<StageData> stages;
   std::vector<ProbeData> probes;
   core::Settings outputs;
+  bool drawn =
+      false;  ///< regions and joints hold no mistake: they can be arranged, even if other parts hold some
   core::Settings root;  ///< the whole scene as checked: provenance lists it
 
   const RegionData* find_region(const std::string& name) const;

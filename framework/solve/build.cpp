@@ -80,6 +80,11 @@ std::vector<std::shared_ptr<const model::Material>> build_materials(const model:
                                                                     core::Mistakes& mistakes) {
   std::vector<std::shared_ptr<const model::Material>> materials;
   for (const auto& region : scene.regions) {
+    const core::Registry::Entry* law = registry.find("material", region.material.name);
+    if (!law || !region.material.complete(law->schema)) {  // reported when the scene was read
+      materials.push_back(nullptr);
+      continue;
+    }
     const auto make = registry.make<model::MakeMaterial>("material", region.material.name);
     materials.push_back(make(region.material, scene.plane, mistakes));
   }

@@ -14,7 +14,8 @@ model::Model build_model(const model::Scene& scene, core::Registry& registry, co
 /// The part of it that needs no mesh: the arranged regions and joints. `check` stops here.
 mesh::Domain build_domain(const model::Scene& scene, core::Mistakes& mistakes);
 
-/// The materials by region, and nothing else: mistakes of laws show without a mesh.
+/// The materials by region, and nothing else: mistakes of laws show without a mesh. Null where the settings
+/// are not complete.
 std::vector<std::shared_ptr<const model::Material>> build_materials(const model::Scene& scene,
                                                                     core::Registry& registry,
                                                                     core::Mistakes& mistakes);
