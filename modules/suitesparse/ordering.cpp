@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <new>
 #include <numeric>
+#include <ranges>
 
 namespace ashlar::suitesparse {
 
@@ -96,10 +97,10 @@ std::vector<Index> last_nodes(const NodeGraph& graph, std::span<const Index> ord
     }
   std::vector<Index> last;
   std::vector<char> found(parent.size());
-  for (auto i = order.rbegin(); i != order.rend(); ++i)
-    if (char& known = found[root(*i)]; !known) {
+  for (const Index i : std::ranges::reverse_view(order))
+    if (char& known = found[root(i)]; !known) {
       known = 1;
-      last.push_back(*i);
+      last.push_back(i);
     }
   return last;
 }

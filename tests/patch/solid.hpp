@@ -18,11 +18,11 @@ using mesh::Index;
 
 class Solid {
  public:
-  Solid(mesh::Mesh mesh, std::shared_ptr<const model::Material> material,
+  Solid(mesh::Mesh mesh, const std::shared_ptr<const model::Material>& material,
         std::shared_ptr<const elasticity::Stabilisation> stabilisation =
             std::make_shared<elasticity::BendingStabilisation>()) {
     model.mesh = std::move(mesh);
-    model.materials.assign(std::max<std::size_t>(1, model.mesh.regions.size()), std::move(material));
+    model.materials.assign(std::max<std::size_t>(1, model.mesh.regions.size()), material);
     model.element = std::make_shared<elasticity::VemElement>(std::move(stabilisation));
     model.dofs = fields::DofMap(model.mesh, {"displacement", "m"});
     bulk = std::make_shared<elasticity::Bulk>(model, elasticity::all_fields);

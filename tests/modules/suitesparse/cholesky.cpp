@@ -18,12 +18,10 @@ using algebra::SymmetricMatrix;
 void spring_quad(Index group, std::span<double> packed) {
   const double stiffness = 1 + 0.1 * (group % 5);
   std::fill(packed.begin(), packed.end(), 0.0);
-  const auto at = [&](int r, int c) -> double& {
-    return packed[static_cast<std::size_t>(r * (r + 1) / 2 + c)];
-  };
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < i; ++j)
-      for (int c = 0; c < 2; ++c) {
+  const auto at = [&](std::size_t r, std::size_t c) -> double& { return packed[r * (r + 1) / 2 + c]; };
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t c = 0; c < 2; ++c) {
         at(2 * i + c, 2 * i + c) += stiffness;
         at(2 * j + c, 2 * j + c) += stiffness;
         at(2 * i + c, 2 * j + c) -= stiffness;
@@ -108,8 +106,8 @@ TEST_P(EachOrdering, condenses_to_the_kept_unknowns) {
 
 // A line of kept unknowns across the grid: they cut the graph in two pieces.
 TEST_P(EachOrdering, keeps_a_cut_last) {
-  std::vector<Index> kept;
-  for (Index i = 0; i < 20; ++i) kept.push_back(3 * 20 - 5 + i);
+  std::vector<Index> kept(20);
+  std::iota(kept.begin(), kept.end(), 3 * 20 - 5);
   check_kept(Case(9, 7, 5), kept, GetParam());
 }
 
