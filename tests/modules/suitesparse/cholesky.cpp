@@ -111,6 +111,17 @@ TEST_P(EachOrdering, keeps_a_cut_last) {
   check_kept(Case(9, 7, 5), kept, GetParam());
 }
 
+// A strip cut in four: the pieces beyond the second cut do not touch the first kept unknown, so that a
+// postorder is free to place them after it unless the structure forbids it.
+TEST_P(EachOrdering, keeps_several_cuts_last) {
+  std::vector<Index> kept;
+  for (const Index x : {10, 20, 30})
+    for (const Index node : {x, 41 + x})
+      for (const Index c : {0, 1}) kept.push_back(2 * node + c - 4);
+  std::sort(kept.begin(), kept.end());
+  check_kept(Case(40, 1, 4), kept, GetParam());
+}
+
 TEST_P(EachOrdering, condenses_a_floating_body_without_a_spring) {
   const Case c(6, 5, 0);
   const std::vector<Index> kept = {0, 1, 30, 31, 82, 83};
