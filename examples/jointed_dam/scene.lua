@@ -1,9 +1,17 @@
 -- Dam on a jointed foundation: self-weight first, then the reservoir fills.
 local u = units
-local cells = param { "cells", default = 2000, doc = "number of cells" }
+local cells = param { "cells", default = 2000, doc = "number of cells (gmsh: about)" }
+local kind  = param { "mesh", default = "voronoi", choices = { "voronoi", "quads", "triangles" }, doc = "shape of cells" }
 local level = param { "level", default = 15*u.m, doc = "reservoir level above the foundation's base" }
 
 local rock = material.elastic { E = 10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }
+
+local area = (25*10 + (5 + 2)/2*5)*u.m^2
+local meshes = {
+  voronoi   = mesh.voronoi { cells = cells, seed = 7 },
+  quads     = mesh.gmsh { cells = "quads", size = (area/cells)^0.5 },
+  triangles = mesh.gmsh { cells = "triangles", size = (4/3^0.5*area/cells)^0.5 },
+}
 
 return Scene {
   title = "Dam on a jointed foundation",
@@ -16,7 +24,7 @@ return Scene {
     fault = Joint { path = { {4,10}, {7,7}, {10,4} }, sides = { "upper", "lower" },
                     friction = "none", enforce = contact.penalty { factor = 100 } },
   },
-  mesh = mesh.voronoi { cells = cells, seed = 7 },
+  mesh = meshes[kind],
   element = "vem",
   supports = { ["rock.bottom"] = "xy", ["rock.left"] = "xy", ["rock.right"] = "xy" },
   stages = {
