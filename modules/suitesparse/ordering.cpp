@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <new>
 #include <numeric>
-#include <ranges>
 
 namespace ashlar::suitesparse {
 
@@ -97,10 +96,10 @@ std::vector<Index> last_nodes(const NodeGraph& graph, std::span<const Index> ord
     }
   std::vector<Index> last;
   std::vector<char> found(parent.size());
-  for (const Index i : std::ranges::reverse_view(order))
-    if (char& known = found[root(i)]; !known) {
+  for (std::size_t k = order.size(); k-- > 0;)
+    if (char& known = found[root(order[k])]; !known) {
       known = 1;
-      last.push_back(i);
+      last.push_back(order[k]);
     }
   return last;
 }
