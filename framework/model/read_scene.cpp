@@ -82,7 +82,7 @@ void read_path(const Settings& joint, mesh::JointLine& line, Mistakes& mistakes)
 
 // The words of a list that must have two entries; nothing if it has not.
 std::vector<std::string> pair_of(const Settings& joint, const std::string& key, Mistakes& mistakes) {
-  const std::vector<std::string> words = texts(joint.value(key));
+  std::vector<std::string> words = texts(joint.value(key));
   if (words.size() == 2 && (words[0] != words[1] || key == "ends")) return words;
   if (joint.said(key) && joint.has(key))
     mistakes.add(joint.place_of(key), words.size() == 2

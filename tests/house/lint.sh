@@ -12,7 +12,7 @@ cd "$root" || exit 2
 
 # Any header may reach any file: one digest of all headers stands for each file's own.
 common=$(find framework modules tests -name '*.hpp' -print0 | sort -z |
-  xargs -0 cat .clang-tidy tests/house/lint.sh | sha256sum)
+  xargs -0 cat .clang-tidy tests/.clang-tidy tests/house/lint.sh | sha256sum)
 export common
 
 lint_one() {
