@@ -1,35 +1,61 @@
 #!/usr/bin/env bash
-# CPU seconds, wall clock and peak memory of the whole program, after one run to warm the file cache.
+# CPU seconds, wall clock and peak memory of whole processes: least and median of several runs after one to warm
+# the file cache, with their bounds beside.
 #   program.sh BUILD
 set -euo pipefail
 
-ashlar=$1/ashlar
+build=$1
+ashlar=$build/ashlar
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 dam=$root/examples/jointed_dam
 
-# measure WHAT BOUND command…
-measure() {
-  local what=$1 bound=$2 TIMEFORMAT='%U %S %R' spent user system wall
-  shift 2
+# once command… : appends "CPU wall" to $folder/times.
+once() {
+  local TIMEFORMAT='%U %S %R' spent user system wall
   if ! spent=$({ time "$@" >"$folder/said" 2>&1; } 2>&1); then
     cat "$folder/said" >&2
     exit 1
   fi
   read -r user system wall <<<"$spent"
-  awk -v what="$what" -v bound="$bound" -v cpu="$user" -v system="$system" -v wall="$wall" \
-    'BEGIN { printf "%-60s %8.3f s CPU %8.3f s wall   bound: %s\n", what, cpu + system, wall, bound }'
+  awk -v u="$user" -v s="$system" -v w="$wall" 'BEGIN { printf "%.3f %.3f\n", u + s, w }' >>"$folder/times"
 }
 
-peak() { sed -n 's/.*"peak_[a-z]*" *: *\([0-9.]*\).*/\1/p' "$1" | head -n 1; }
+# column N : "least median" of one column of the times.
+column() {
+  cut -d' ' -f"$1" "$folder/times" | sort -n | awk '{ t[NR] = $1 } END { print t[1], t[int((NR + 1) / 2)] }'
+}
 
+# measure WHAT BOUND RUNS command…
+measure() {
+  local what=$1 bound=$2 runs=$3
+  shift 3
+  : >"$folder/times"
+  for ((i = 0; i < runs; i++)); do once "$@"; done
+  # shellcheck disable=SC2046
+  printf '%-44s CPU %7.3f %7.3f   wall %7.3f %7.3f   %s\n' "$what" $(column 1) $(column 2) "$bound"
+}
+
+peak() { awk -F'[:,]' '/"peak_bytes"/ { printf "%.2f GB\n", $2 / 1e9 }' "$1"; }
+
+run_dam() { "$ashlar" run "$dam" --set cells="$1" --threads 1 --out "$folder/dam" --json "$folder/dam.json" --quiet; }
+
+echo "seconds: least and median of several runs; the load of the machine was $(cut -d' ' -f1-3 /proc/loadavg)"
 "$ashlar" check "$dam" >/dev/null
-measure "check of the jointed dam" "0.05 s wall" "$ashlar" check "$dam"
-measure "cantilever, whole process (no gmsh, no contact)" "0.15 s wall" \
+measure "check of the jointed dam" "bound: 0.05 s" 11 "$ashlar" check "$dam"
+measure "cantilever, whole process (no gmsh)" "bound: 0.15 s" 11 \
   "$ashlar" run "$root/examples/cantilever" --out "$folder/cantilever" --quiet
-measure "jointed dam, 20 000 Voronoi cells, two stages, all output" "2.5 s CPU" \
-  "$ashlar" run "$dam" --set cells=20000 --out "$folder/dam20" --json "$folder/dam20.json" --quiet
-measure "jointed dam, 100 000 Voronoi cells, two stages, all output" "15 s CPU, 1.5 GB" \
-  "$ashlar" run "$dam" --set cells=100000 --out "$folder/dam100" --json "$folder/dam100.json" --quiet
-echo "peak memory of the last two: $(peak "$folder/dam20.json") and $(peak "$folder/dam100.json")"
+measure "dam, 20 000 Voronoi cells, all output" "bound: 2.5 s CPU" 5 run_dam 20000
+echo "  peak memory $(peak "$folder/dam.json")"
+measure "dam, 100 000 Voronoi cells, all output" "bound: 15 s CPU" 3 run_dam 100000
+echo "  peak memory $(peak "$folder/dam.json")   bound: 1.5 GB"
+
+crosscheck=$build/tests/crosscheck/crosscheck
+if [[ -x $crosscheck ]] && command -v ccx >/dev/null; then
+  # Gmsh makes about 20 000 quadrilaterals of this wish.
+  TMPDIR=$folder "$crosscheck" 17400 | sed -n 's/^\([0-9]* cells, CalculiX [0-9.]* s of CPU\).*/for comparison, without meshing: \1/p'
+else
+  echo "no comparison with CalculiX: ccx or $crosscheck is missing"
+fi
+echo "load at the end $(cut -d' ' -f1-3 /proc/loadavg)"
