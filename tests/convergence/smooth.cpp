@@ -1,0 +1,82 @@
+// Order 1 against a smooth solution: displacements converge with h², stresses with h, on polygons and quads.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/polygon.hpp"
+#include "support/scene_run.hpp"
+
+namespace ashlar::test {
+namespace {
+
+using geometry::Point;
+
+constexpr double e = 1e9, nu = 0.3, shear = e / (2 * (1 + nu));  // as in scenes/smooth.lua
+
+Point displacement(Point p) {
+  const double ex = std::exp(p.x);
+  return {ex * std::sin(p.y) + p.x * p.y, ex * std::cos(p.y) - p.x * p.x / 2 - nu / (1 - nu) * p.y * p.y / 2};
+}
+
+/// (xx, yy, xy). Bending: σ_xx = 2μ y/(1−ν), nothing else.
+std::array<double, 3> stress(Point p) {
+  const double ex = std::exp(p.x);
+  return {2 * shear * (ex * std::sin(p.y) + p.y / (1 - nu)), -2 * shear * ex * std::sin(p.y),
+          2 * shear * ex * std::cos(p.y)};
+}
+
+const model::FieldResult& field(const SceneRun& run, const std::string& name) {
+  for (const model::FieldResult& each : run.result.stages.at(0).fields)
+    if (each.name == name) return each;
+  throw std::runtime_error("no field '" + name + "'");
+}
+
+struct Errors {
+  double h = 0, displacement = 0, stress = 0;  // √cell area; L2 norms
+};
+
+Errors errors(const std::string& mesh, int cells) {
+  const SceneRun run =
+      run_scene(std::filesystem::path(ASHLAR_SOURCE_DIR) / "tests" / "convergence" / "scenes" / "smooth.lua",
+                {{"mesh", mesh}, {"cells", std::to_string(cells)}});
+  const model::FieldResult& u = field(run, "displacement");
+  const model::FieldResult& s = field(run, "stress");
+  Errors sum;
+  std::vector<Point> corners;
+  for (mesh::Index cell = 0; cell < run.model.mesh.cell_count(); ++cell) {
+    const auto points = run.model.mesh.cell_points[cell];
+    run.model.mesh.corners(cell, corners);
+    const double area = geometry::signed_area(corners);
+    const Point centre = geometry::centroid(corners);
+    const double part = area / static_cast<double>(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Point exact = displacement(corners[i]);
+      sum.displacement += part * (std::pow(u.values[2 * points[i]] - exact.x, 2) +
+                                  std::pow(u.values[2 * points[i] + 1] - exact.y, 2));
+      // One point half-way to each corner samples what a cell's one stress misses.
+      const auto there = stress(0.5 * (centre + corners[i]));
+      for (int k = 0; k < 3; ++k) sum.stress += part * std::pow(s.values[s.width * cell + k] - there[k], 2);
+    }
+  }
+  return {1 / std::sqrt(run.model.mesh.cell_count()), std::sqrt(sum.displacement), std::sqrt(sum.stress)};
+}
+
+class SmoothField : public testing::TestWithParam<const char*> {};
+
+TEST_P(SmoothField, converges_with_the_order_of_theory) {
+  const Errors coarse = errors(GetParam(), 200), fine = errors(GetParam(), 3200);
+  const double refined = std::log(coarse.h / fine.h);
+  const double of_displacement = std::log(coarse.displacement / fine.displacement) / refined;
+  const double of_stress = std::log(coarse.stress / fine.stress) / refined;
+  std::printf("%s: order %.2f of displacements, %.2f of stresses\n", GetParam(), of_displacement, of_stress);
+  // Two halvings of unstructured meshes: a tenth for their scatter. Higher is no fault.
+  EXPECT_GT(of_displacement, 1.9);
+  EXPECT_GT(of_stress, 0.9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, SmoothField, testing::Values("voronoi", "quads"),
+                         [](const auto& info) { return std::string(info.param); });
+
+}  // namespace
+}  // namespace ashlar::test
