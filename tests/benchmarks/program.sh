@@ -33,7 +33,7 @@ measure() {
   shift 3
   : >"$folder/times"
   for ((i = 0; i < runs; i++)); do once "$@"; done
-  # shellcheck disable=SC2046
+  # shellcheck disable=SC2046,SC2183
   printf '%-44s CPU %7.3f %7.3f   wall %7.3f %7.3f   %s\n' "$what" $(column 1) $(column 2) "$bound"
 }
 
