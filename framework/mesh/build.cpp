@@ -234,7 +234,10 @@ Mesh build_mesh(RawMesh raw, const Domain& domain) {
   }
   require_borders(domain, followed.missing);
   if (domain.faces.empty()) add_joints_between_regions(domain, raw, edges, followed.joint_edges);
-  return Assembler(std::move(raw), domain, edges).assemble(followed);
+  auto notes = std::move(raw.notes);
+  Mesh mesh = Assembler(std::move(raw), domain, edges).assemble(followed);
+  mesh.notes = std::move(notes);
+  return mesh;
 }
 
 }  // namespace ashlar::mesh

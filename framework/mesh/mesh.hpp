@@ -39,6 +39,8 @@ struct Mesh {
   std::map<std::string, std::vector<Index>> edge_groups;
   std::map<std::string, std::vector<Index>> point_groups;
   std::vector<JointLips> joints;
+  /// What the generator says of its work: seed, iterations, collapsed edges …
+  std::vector<std::pair<std::string, std::string>> notes;
 
   Index cell_count() const { return cell_points.size(); }
   Index point_count() const { return static_cast<Index>(points.size()); }

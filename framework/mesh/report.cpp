@@ -44,6 +44,7 @@ MeshReport report(const Mesh& mesh) {
     r.roundness_min = std::min(r.roundness_min, roundness);
     r.roundness_mean += roundness / r.cells;
   }
+  r.notes = mesh.notes;
   return r;
 }
 

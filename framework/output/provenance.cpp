@@ -165,6 +165,9 @@ void write_provenance(const Handle& group, const RunRecord& record, const std::s
   auto versions = record.versions;
   for (auto& version : output_versions()) versions.push_back(std::move(version));
   write_pairs(group, "versions", versions);
+  std::vector<std::pair<std::string, std::string>> modules;
+  for (const std::string& module : record.modules) modules.emplace_back(module, "opened");
+  write_pairs(group, "modules", modules);
   write_pairs(group, "mesh_notes", record.mesh_report.notes);
   write_settings(group, record.scene.root);
   write_effects(group, record.plan);

@@ -60,6 +60,16 @@ std::string component_name(const FieldResult& field, int component) {
 
 }  // namespace
 
+namespace {
+
+/// "stress" asks for the nodal field too, which bears the word with "_nodes".
+bool asked_for(const model::ProbeData& probe, const std::string& field) {
+  return std::ranges::any_of(
+      probe.quantities, [&](const std::string& word) { return field == word || field == word + "_nodes"; });
+}
+
+}  // namespace
+
 model::Balance balance(const model::Model& model, const model::StageData& stage, const StageForces& forces) {
   model::Balance sums;
   double absolute = 0;
@@ -102,7 +112,7 @@ void add_probes(const model::Scene& scene, const model::Model& model, model::Sta
     const Index point = mesh::nearest_point(model.mesh, probe.at, probe.lip);
     model::ProbeResult found{probe.name, probe.at, model.mesh.points[point], {}};
     for (const FieldResult& field : result.fields) {
-      if (field.on != FieldResult::On::points) continue;
+      if (field.on != FieldResult::On::points || !asked_for(probe, field.name)) continue;
       for (int c = 0; c < field.width; ++c)
         found.values[component_name(field, c)] =
             field.values[static_cast<std::size_t>(point) * field.width + c];

@@ -1,6 +1,10 @@
+#include <fcntl.h>
 #include <gmsh.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <functional>
 #include <map>
 
@@ -46,6 +50,33 @@ class Session {
   Session& operator=(const Session&) = delete;
 };
 
+/// Keeps both outputs of the process shut: the matching inside Gmsh's recombination prints past every option.
+class Muted {
+ public:
+  Muted() {
+    std::fflush(nullptr);
+    const int nowhere = open("/dev/null", O_WRONLY);
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      kept_[i] = dup(outputs[i]);
+      dup2(nowhere, outputs[i]);
+    }
+    close(nowhere);
+  }
+  ~Muted() {
+    std::fflush(nullptr);
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      dup2(kept_[i], outputs[i]);
+      close(kept_[i]);
+    }
+  }
+  Muted(const Muted&) = delete;
+  Muted& operator=(const Muted&) = delete;
+
+ private:
+  static constexpr std::array<int, 2> outputs = {STDOUT_FILENO, STDERR_FILENO};
+  std::array<int, 2> kept_{};
+};
+
 Index region_of(const Domain& domain, Index face) {
   return face < 0 ? -1 : domain.faces[face].region;
 }
@@ -70,6 +101,7 @@ void make_mesh(const Domain& domain, const SizeField& sizes, const core::Setting
     gmsh::option::setNumber("Mesh.RecombineAll", 1);
     gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
   }
+  const Muted muted;
   gmsh::model::mesh::generate(2);
 }
 
