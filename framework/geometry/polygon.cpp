@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numbers>
 #include <numeric>
 
 #include "geometry/predicates.hpp"
+#include "geometry/quadrature.hpp"
 
 namespace ashlar::geometry {
 
@@ -13,41 +13,6 @@ namespace {
 
 std::size_t after(std::size_t i, std::size_t count) {
   return i + 1 == count ? 0 : i + 1;
-}
-
-struct GaussRule {
-  std::vector<double> points, weights;  // on [0, 1]
-};
-
-// Newton's iteration on the Legendre polynomial of degree n.
-GaussRule gauss_legendre(int n) {
-  GaussRule rule;
-  for (int i = 0; i < n; ++i) {
-    double x = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5)), slope = 0;
-    for (int iteration = 0; iteration < 100; ++iteration) {
-      double p = 1, before = 0;
-      for (int k = 1; k <= n; ++k) before = std::exchange(p, ((2 * k - 1) * x * p - (k - 1) * before) / k);
-      slope = n * (x * p - before) / (x * x - 1);
-      const double step = p / slope;
-      x -= step;
-      if (std::abs(step) < 1e-16) break;
-    }
-    rule.points.push_back(0.5 * (1 - x));
-    rule.weights.push_back(1 / ((1 - x * x) * slope * slope));
-  }
-  return rule;
-}
-
-const GaussRule& rule_for_degree(int degree) {
-  constexpr int stored = 12;
-  static const std::vector<GaussRule> rules = [] {
-    std::vector<GaussRule> list(1);
-    for (int n = 1; n <= stored; ++n) list.push_back(gauss_legendre(n));
-    return list;
-  }();
-  const int n = degree / 2 + 1;
-  assert(n <= stored);
-  return rules[static_cast<std::size_t>(n)];
 }
 
 // Two edges that share the corner b may only part there, not fold back on each other.
@@ -100,20 +65,20 @@ std::vector<double> monomial_integrals(std::span<const Point> ring, Point center
   // e.
   const std::size_t size = static_cast<std::size_t>((degree + 1) * (degree + 2) / 2);
   std::vector<double> integrals(size, 0.0);
-  const GaussRule& rule = rule_for_degree(degree);
+  const Rule& rule = gauss_legendre(degree);
   std::vector<double> x_powers(static_cast<std::size_t>(degree) + 1, 1.0), y_powers = x_powers;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i] - center, edge = ring[after(i, ring.size())] - ring[i];
     const double lever = cross(a, edge);
-    for (std::size_t g = 0; g < rule.points.size(); ++g) {
-      const Point x = a + rule.points[g] * edge;
+    for (std::size_t g = 0; g < rule.at.size(); ++g) {
+      const Point x = a + rule.at[g] * edge;
       for (std::size_t k = 1; k < x_powers.size(); ++k) {
         x_powers[k] = x_powers[k - 1] * x.x;
         y_powers[k] = y_powers[k - 1] * x.y;
       }
       std::size_t m = 0;
       for (std::size_t d = 0; d < x_powers.size(); ++d) {
-        const double weight = rule.weights[g] * lever / static_cast<double>(d + 2);
+        const double weight = rule.weight[g] * lever / static_cast<double>(d + 2);
         for (std::size_t q = 0; q <= d; ++q) integrals[m++] += weight * x_powers[d - q] * y_powers[q];
       }
     }
