@@ -14,7 +14,7 @@ return {
           doc = "weight of the water by volume; 9.81 kN/m^3 if neither this nor the density is said" },
         { key = "density", forms = { "number" }, dimension = "kg/m^3",
           range = { above = 0 }, usual = { from = 950, to = 1100 },
-          doc = "instead of unit_weight; times 9.80665 m/s^2" },
+          doc = "instead of unit_weight; times 9.80665 m/s^2, whatever gravity the stage says" },
       } },
   },
   extends = {

@@ -66,10 +66,10 @@ std::vector<mesh::Index> Water::wet_edges(const core::Settings& water, const mod
     const std::vector<mesh::Index> face =
         model::border_edges(mesh, *name.text(), name.place, context.mistakes);
     const double bottom = lowest(mesh, face);
-    if (!face.empty() && level <= bottom && warned_.insert(*name.text()).second)
-      core::log().warning(core::to_string(water.place_of("level")) + ": the water level " +
-                          core::format_quantity(level, metre) + " is below the whole of edge '" +
-                          *name.text() + "', whose lowest point is at " +
+    if (!face.empty() && level <= bottom && warned_.insert({context.stage.name, *name.text()}).second)
+      core::log().warning(core::to_string(water.place_of("level")) + ": stage '" + context.stage.name +
+                          "': the water level " + core::format_quantity(level, metre) +
+                          " is below the whole of edge '" + *name.text() + "', whose lowest point is at " +
                           core::format_quantity(bottom, metre));
     edges.insert(edges.end(), face.begin(), face.end());
   }

@@ -22,7 +22,7 @@ class Water final : public model::Effect {
  private:
   std::vector<mesh::Index> wet_edges(const core::Settings& water, const model::StageContext& context);
 
-  std::set<std::string> warned_;  ///< stages inherit: one warning is enough
+  std::set<std::pair<std::string, std::string>> warned_;  ///< stage and edge
 };
 
 }  // namespace ashlar::water

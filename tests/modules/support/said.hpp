@@ -72,10 +72,12 @@ struct Contribution {
   core::Mistakes mistakes;
   model::Terms terms;
 };
-inline Contribution contribute(model::Effect& effect, const model::Model& model, const Settings& settings) {
+inline Contribution contribute(model::Effect& effect, const model::Model& model, const Settings& settings,
+                               const std::string& stage_name = {}) {
   Contribution result;
   model::Scene scene;
   model::StageData stage;
+  stage.name = stage_name;
   stage.settings = settings;
   fields::State state;
   effect.contribute({scene, stage, model, state, result.mistakes}, result.terms);

@@ -86,7 +86,10 @@ TEST(water, a_level_at_the_foot_or_below_leaves_the_face_dry_with_a_warning) {
       logged("3 m is below the whole of edge 'face', whose lowest point is at 10 m", core::Level::warning));
   const std::size_t lines = core::log().lines().size();
   contribute(water, model, water_at(3));
-  EXPECT_EQ(core::log().lines().size(), lines) << "one warning is enough for stages that inherit";
+  EXPECT_EQ(core::log().lines().size(), lines) << "one warning a stage";
+  contribute(water, model, water_at(3), "filling");
+  EXPECT_EQ(core::log().lines().size(), lines + 1);
+  EXPECT_TRUE(logged("stage 'filling': the water level 3 m is below", core::Level::warning));
 }
 
 TEST(water, several_waters_add_up_and_density_gives_the_unit_weight) {
