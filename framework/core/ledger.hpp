@@ -1,5 +1,5 @@
 #pragma once
-// The cost ledger: time, calls, bytes and unknowns by phase (meshing, assembly, …) and effect.
+// The cost ledger: time, calls, bytes and unknowns by phase (mesh, assemble, …) and effect.
 
 #include <cstdint>
 #include <string>
@@ -8,8 +8,8 @@
 namespace ashlar::core {
 
 struct Cost {
-  std::string
-      phase;  ///< read, check, mesh, assemble, order, factor, solve, contact, recover, write, picture …
+  /// read, check, mesh, prepare, assemble, order, factor, solve, iterate, recover
+  std::string phase;
   std::string effect;  ///< elasticity, contact, gravity …; "" for none
   double wall = 0;     ///< s
   double cpu = 0;      ///< s, of the whole process
