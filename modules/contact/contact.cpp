@@ -39,7 +39,6 @@ int slave_lip(const mesh::JointLips& joint, const std::string& named) {
 
 void Contact::check(const model::Scene& scene, core::Mistakes& mistakes) const {
   for (const model::JointData& joint : scene.joints) {
-    if (!joint.settings.flag("contact")) continue;
     check_joint(joint, mistakes);
     if (scene.order > 1 && joint.settings.entry("pairing").object &&
         joint.settings.object("pairing").name == "node_to_segment")
@@ -55,8 +54,7 @@ void Contact::check_joint(const model::JointData& joint, core::Mistakes& mistake
   const std::string name = "joint '" + joint.line.name + "'";
   if (!settings.said("friction"))
     mistakes.add({settings.place.file, settings.place.line, settings.place.path + ".friction"},
-                 name + " does not say its friction",
-                 core::did_you_mean("", registry_.names("friction")) + "; or contact = false");
+                 name + " does not say its friction", core::did_you_mean("", registry_.names("friction")));
   const std::string slave = settings.text("slave");
   const auto& sides = joint.line.sides;
   if (!slave.empty() && slave != sides[0] && slave != sides[1])
@@ -86,7 +84,7 @@ std::shared_ptr<ContactTerm> Contact::make_term(const model::Scene& scene, const
   for (const mesh::JointLips& lips : model.mesh.joints) {
     const auto said = std::find_if(scene.joints.begin(), scene.joints.end(),
                                    [&](const model::JointData& data) { return data.line.name == lips.name; });
-    if (said == scene.joints.end() || !said->settings.flag("contact")) continue;
+    if (said == scene.joints.end()) continue;
     JointContact joint = make_joint(model, lips, said->settings);
     if (joint.points.empty()) {
       core::log().warning("joint '" + joint.name + "' has no contact points: it is welded all along");

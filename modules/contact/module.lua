@@ -26,10 +26,8 @@ return {
   },
   extends = {
     joint = {
-      { key = "contact", forms = { "boolean" }, default = true,
-        doc = "false: the lips never meet, even where they overlap (a cut held open by its pressure)" },
       { key = "friction", forms = { "object" }, kind = "friction",
-        doc = "what resists sliding; required for every joint with contact: \"none\"" },
+        doc = "what resists sliding; required for every joint: \"none\"" },
       { key = "normal_law", forms = { "object" }, kind = "normal_law", default = "unilateral",
         doc = "when the lips are closed" },
       { key = "pairing", forms = { "object" }, kind = "pairing", default = "node_to_segment", numerical = true,

@@ -43,11 +43,11 @@ TEST(contact_scene, defaults_are_the_papers_method_with_factor_100) {
   EXPECT_EQ(scene.joints.at(0).settings.object("enforce").number("stiffness"), 5e9);
 }
 
-TEST(contact_scene, friction_must_be_said_unless_there_is_no_contact) {
+TEST(contact_scene, friction_must_be_said) {
   const std::string text = mistakes_with("");
   EXPECT_TRUE(holds(text, "joints.fault.friction: joint 'fault' does not say its friction")) << text;
   EXPECT_TRUE(holds(text, "none")) << text;
-  EXPECT_EQ(mistakes_with("contact = false"), "");
+  EXPECT_TRUE(holds(mistakes_with("contact = false"), "unknown key 'contact'"));
   EXPECT_TRUE(holds(mistakes_with("friction = \"coulomb\""), "there is no friction 'coulomb'"));
 }
 
