@@ -227,6 +227,8 @@ Checker::Checked Checker::check_table(const Value& value, const Parameter& param
   for (const Value& item : table.items) numbers = numbers && item.quantity();
   const bool lists = allows(parameter.forms, Form::list), maps = allows(parameter.forms, Form::map);
   if (allows(parameter.forms, Form::point) && (numbers || !(lists || maps))) {
+    if (parameter.each && !lists && !maps)
+      return numbers ? check_all(value, parameter) : wrong_form(value, parameter);
     const bool point = read_point(value, parameter.dimension, mistakes_).has_value();
     return point ? Checked{value, {}, {}} : Checked{};
   }

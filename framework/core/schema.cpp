@@ -134,7 +134,10 @@ std::string forms_text(const Parameter& parameter) {
   add(Form::number, number_text(parameter, "a number"));
   add(Form::integer, "a whole number");
   add(Form::text, "a text");
-  add(Form::point, number_text(parameter, "a point {x, y}"));
+  const bool pair =
+      parameter.each && !allows(parameter.forms, Form::list) && !allows(parameter.forms, Form::map);
+  add(Form::point,
+      pair ? "two of: " + forms_text(*parameter.each) : number_text(parameter, "a point {x, y}"));
   add(Form::object, object_text(parameter));
   add(Form::function, number_text(parameter, "a function"));
   add(Form::table, "a table");

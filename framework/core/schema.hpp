@@ -57,10 +57,10 @@ struct Parameter {
   Range range;                       ///< outside: an error
   Range usual;                       ///< outside: a warning ("did you forget a unit?")
   std::vector<std::string> choices;  ///< allowed words, if not empty
-  std::string refers;  ///< the word (or the map's keys) names an "edge", "region", "joint", "lip" or "stage"
-                       ///< of the scene
+  std::string refers;  ///< the word (or the map's keys) names an "edge", "region", "joint", "lip", "probe"
+                       ///< or "stage" of the scene
   std::string kind;    ///< for objects (and objects inside lists and maps): the registered kind
-  std::shared_ptr<const Parameter> each;  ///< for lists and maps: what every item must be
+  std::shared_ptr<const Parameter> each;  ///< what every item of a list, map or point must be
   bool numerical = false;                 ///< a numerical knob: its default is logged
   std::string doc;
 };

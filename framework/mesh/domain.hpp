@@ -53,7 +53,7 @@ struct Domain {
   std::vector<Point> points;
   std::vector<Segment> segments;
   std::vector<Face> faces;
-  std::map<std::string, Point> named_points;  ///< probes and point loads: meshes may refine toward them
+  std::map<std::string, Point> named_points;  ///< probes: meshes may refine toward them
   double length = 0;                          ///< diagonal of the bounding box [m]
   double arc_chord = 0;                       ///< longest chord arcs were replaced by [m]
 

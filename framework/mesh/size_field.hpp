@@ -23,10 +23,9 @@ class SizeField {
   SizeField(const Domain& domain, double size, double grading);
   SizeField(const Domain& domain, std::vector<double> region_sizes, double grading);
 
-  /// Reads `size` (number, map per region, function of x and y), `grading` and the list `refine` of
-  /// { at = {x, y} | point = name | joint = name, size = h, radius = r }. Without `size` the base is
-  /// `otherwise`. A script function is sampled once on a grid; call from the main thread. Throws InputError
-  /// with all mistakes.
+  /// Reads checked settings: `size` (number, map with every region, function of x and y), `grading` and the
+  /// list `refine` of kind "refinement". Without `size` the base is `otherwise`. A script function is sampled
+  /// once on a grid; call from the main thread. Throws InputError where the function gives no size.
   static SizeField read(const Domain& domain, const core::Settings& settings, double otherwise);
 
   void add(const SizeSource& source) { sources_.push_back(source); }

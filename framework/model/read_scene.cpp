@@ -147,6 +147,21 @@ std::vector<ProbeData> read_probes(const Settings& root, Mistakes& mistakes) {
   return probes;
 }
 
+// What a schema cannot say of the keys that mesh::SizeField reads.
+void check_sizes(const Scene& scene, Mistakes& mistakes) {
+  for (const Settings::Entry& entry : scene.mesh.entries) {
+    const core::Table* table = entry.value.table();
+    for (const RegionData& region : scene.regions)
+      if (entry.key == "size" && table && !table->find(region.name))
+        mistakes.add(entry.value.place, "region '" + region.name + "' has no size",
+                     "give one for every region");
+    for (const auto& [number, item] : entry.objects)
+      if (item.kind == "refinement" && item.said("at") + item.said("point") + item.said("joint") != 1)
+        mistakes.add(item.place, "a refinement needs exactly one of at, point and joint",
+                     "{ at = {x, y}, size = h, radius = r }");
+  }
+}
+
 // Materials do not count: regions can be arranged whatever they are made of.
 bool any_mistake_in_drawing(const Mistakes& mistakes) {
   return std::any_of(mistakes.list().begin(), mistakes.list().end(), [](const core::Mistake& mistake) {
@@ -204,6 +219,7 @@ Scene read_scene(const core::Value& value, core::Registry& registry, Mistakes& m
   scene.joints = read_joints(root, scene.regions, mistakes);
   scene.stages = read_stage_names(root, mistakes);
   scene.probes = read_probes(root, mistakes);
+  check_sizes(scene, mistakes);
   Names names = collect_names(scene);
   names.edges_unknown = names.edges_unknown || !complete;
   read_stages(value, root, names, scene.stages, mistakes);

@@ -102,6 +102,21 @@ Schema joint() {
        ends}};
 }
 
+Schema refinement() {
+  const auto length = [](const char* key, const char* doc) {
+    return parameter(key, Form::number, doc) | in_metres() | within(positive);
+  };
+  return {
+      "refinement",
+      "refinement",
+      "",
+      "Where a mesh is finer. Exactly one of at, point and joint says near what.",
+      {point("at", "a place"), parameter("point", Form::text, "the place of this probe") | refers("probe"),
+       parameter("joint", Form::text, "all of this joint") | refers("joint"),
+       length("size", "wished size of cells there") | required(),
+       length("radius", "the size holds up to this distance; by default as far as the size")}};
+}
+
 Schema support() {
   const auto movement = [](const char* key, const char* doc) {
     return parameter(key, Form::number | Form::function, doc) | in_metres();
@@ -208,6 +223,7 @@ Schema scene() {
 void register_scene_kinds(core::Registry& registry) {
   registry.add_schema(scene());
   registry.add_schema(joint());
+  registry.add_schema(refinement());
   registry.add_schema(support());
   registry.add_schema(stage());
   add_shapes(registry);

@@ -67,7 +67,7 @@ void check_names(const core::Settings& settings, const core::Registry& registry,
 
 Names collect_names(const Scene& scene) {
   Names names;
-  for (const char* what : {"edge", "region", "joint", "lip", "stage"}) names.known[what];
+  for (const char* what : {"edge", "region", "joint", "lip", "probe", "stage"}) names.known[what];
   for (const RegionData& region : scene.regions) {
     names.known["region"].push_back(region.name);
     names.edges_unknown = names.edges_unknown || !region.mesh_group.empty();
@@ -79,6 +79,7 @@ Names collect_names(const Scene& scene) {
     for (const std::string& side : joint.line.sides)
       for (const char* what : {"edge", "lip"}) names.known[what].push_back(joint.line.name + "." + side);
   }
+  for (const ProbeData& probe : scene.probes) names.known["probe"].push_back(probe.name);
   for (const StageData& stage : scene.stages) names.known["stage"].push_back(stage.name);
   return names;
 }

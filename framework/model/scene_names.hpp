@@ -1,5 +1,5 @@
 #pragma once
-// Words of a scene that name its parts: edges, regions, joints, lips and stages.
+// Words of a scene that name its parts: edges, regions, joints, lips, probes and stages.
 
 #include <map>
 #include <string>
@@ -11,7 +11,8 @@
 namespace ashlar::model {
 
 struct Names {
-  /// What may be referred to: "edge" → {"rock.bottom", "fault.upper" …}, "region", "joint", "lip", "stage".
+  /// What may be referred to: "edge" → {"rock.bottom", "fault.upper" …}, "region", "joint", "lip", "probe",
+  /// "stage".
   std::map<std::string, std::vector<std::string>> known;
   /// Edges of a mesh file show only when the file is read; those of a broken region not at all.
   bool edges_unknown = false;

@@ -1,5 +1,3 @@
-local refinement = { forms = { "table" }, doc = "{ at = {x, y} | point = name | joint = name, size = h, radius = r }" }
-
 return {
   name = "meshing_gmsh",
   doc = "Triangles and recombined quadrilaterals by the Gmsh library.",
@@ -7,7 +5,7 @@ return {
     { kind = "mesh", name = "gmsh", constructor = "mesh.gmsh",
       doc = "Triangles, or quadrilaterals with few triangles left, that follow borders and joints.",
       parameters = {
-        { key = "size", forms = { "number", "map", "function" }, dimension = "m", required = true,
+        { key = "size", forms = { "number", "map", "function" }, dimension = "m", refers = "region", required = true,
           range = { above = 0 },
           each = { forms = { "number" }, dimension = "m", range = { above = 0 },
                    doc = "size in the region of this name" },
@@ -16,8 +14,8 @@ return {
           doc = "shape of cells" },
         { key = "algorithm", forms = { "text" }, choices = { "frontal", "delaunay", "meshadapt" },
           default = "frontal", numerical = true, doc = "Gmsh's method of triangulation" },
-        { key = "refine", forms = { "list" }, each = refinement,
-          doc = "finer cells near points and joints; radius defaults to size" },
+        { key = "refine", forms = { "list" }, each = { forms = { "object" }, kind = "refinement" },
+          doc = "finer cells near places, probes and joints: { { at = {x, y}, size = h, radius = r } }; see `ashlar describe refinement`" },
         { key = "grading", forms = { "number" }, default = 0.3, numerical = true, range = { above = 0, to = 1 },
           doc = "greatest growth of the size per length" },
       } },

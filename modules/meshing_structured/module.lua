@@ -1,4 +1,15 @@
-local grading = { forms = { "number" }, range = { from = 1e-4, to = 1e4 } }
+local function cells(doc)
+  local limits = { from = 1, to = 1e5 }
+  return { key = "cells", forms = { "point" }, range = limits, each = { forms = { "integer" }, range = limits }, doc = doc }
+end
+local function size(doc)
+  return { key = "size", forms = { "number" }, dimension = "m", range = { above = 0 }, doc = doc }
+end
+local function grading(default, doc)
+  local limits = { from = 1e-4, to = 1e4 }
+  return { key = "grading", forms = { "number", "point" }, default = default, numerical = true, range = limits,
+           each = { forms = { "number" }, range = limits }, doc = doc }
+end
 
 return {
   name = "meshing_structured",
@@ -7,15 +18,20 @@ return {
     { kind = "mesh", name = "structured", constructor = "mesh.structured",
       doc = "Quadrilaterals in rows and columns; regions must have four sides, straight or curved.",
       parameters = {
-        { key = "cells", forms = { "list" }, each = { forms = { "integer" }, range = { from = 1, to = 1e5 } },
-          doc = "{ columns, rows } of every region" },
-        { key = "size", forms = { "number" }, dimension = "m", range = { above = 0 },
-          doc = "wished side of cells, instead of cells" },
-        { key = "grading", forms = { "number", "list" }, default = 1, numerical = true,
-          range = { from = 1e-4, to = 1e4 }, each = grading,
-          doc = "last cell's side over the first one's, along x and y or { along x, along y }" },
-        { key = "regions", forms = { "map" }, each = { forms = { "table" } },
-          doc = "other cells, size or grading for a region: { dam = { cells = {4, 8} } }" },
+        cells("{ columns, rows } of every region"),
+        size("wished side of cells, instead of cells"),
+        grading(1, "last cell's side over the first one's, along x and y or { along x, along y }"),
+        { key = "regions", forms = { "map" }, refers = "region",
+          each = { forms = { "object" }, kind = "structured_region" },
+          doc = "other cells, size or grading for a region: { dam = { cells = {4, 8} } }; "
+             .. "see `ashlar describe structured_region`" },
+      } },
+    { kind = "structured_region", name = "structured_region",
+      doc = "What one region's rows and columns have of their own in mesh.structured.",
+      parameters = {
+        cells("{ columns, rows }"),
+        size("wished side of cells, instead of cells"),
+        grading(nil, "as the mesh's own grading"),
       } },
   },
 }

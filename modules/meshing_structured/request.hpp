@@ -15,7 +15,8 @@ struct Request {
   std::array<double, 2> grading = {1, 1};
 };
 
-/// One request for each region. Throws InputError for regions that do not exist and missing or wrong numbers.
+/// One request for each region. Throws InputError for a region with neither cells nor size, or with both
+/// said.
 std::vector<Request> requests(const core::Settings& settings, const std::vector<std::string>& regions);
 
 }  // namespace ashlar::meshing_structured

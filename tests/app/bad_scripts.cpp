@@ -2,6 +2,7 @@
 //   -- expect 12: must be above 0 Pa     a message that starts at line 12 and contains this
 //   -- expect: did you mean 'rock'?      anywhere
 //   -- options: --set level=3
+//   -- found by check                   `ashlar check` must say all of it too
 
 #include <gtest/gtest.h>
 
@@ -25,6 +26,7 @@ std::vector<std::string> names_of_scripts() {
 struct Expected {
   std::vector<std::pair<int, std::string>> messages;
   std::string options;
+  bool by_check = false;
 };
 
 Expected expected_of(const fs::path& script) {
@@ -32,6 +34,7 @@ Expected expected_of(const fs::path& script) {
   std::istringstream lines(read(script));
   const std::string expect = "-- expect", options = "-- options: ";
   for (std::string line; std::getline(lines, line) && line.starts_with("-- ");) {
+    expected.by_check = expected.by_check || line == "-- found by check";
     if (line.starts_with(options)) expected.options = line.substr(options.size());
     if (!line.starts_with(expect)) continue;
     const auto colon = line.find(':');
@@ -50,6 +53,15 @@ bool says(const std::string& text, const std::string& file, const std::pair<int,
   return false;
 }
 
+void expect_messages(const Ended& ended, const std::string& file, const Expected& expected) {
+  EXPECT_EQ(ended.code, 2) << ended.err;
+  for (const auto& message : expected.messages)
+    EXPECT_TRUE(says(ended.err, file, message))
+        << "line " << message.first << ": " << message.second << "\nwas expected, got\n"
+        << ended.err;
+  EXPECT_EQ(ended.out, "");
+}
+
 class BadScript : public testing::TestWithParam<std::string> {};
 
 TEST_P(BadScript, is_answered_and_writes_nothing) {
@@ -60,12 +72,9 @@ TEST_P(BadScript, is_answered_and_writes_nothing) {
   const ScratchFolder scratch;
   const Ended ended =
       call("run " + file + " --quiet --out " + quoted(scratch / "results") + " " + expected.options, folder);
-  EXPECT_EQ(ended.code, 2) << ended.err;
-  for (const auto& message : expected.messages)
-    EXPECT_TRUE(says(ended.err, file, message))
-        << "line " << message.first << ": " << message.second << "\nwas expected, got\n"
-        << ended.err;
-  EXPECT_EQ(ended.out, "");
+  expect_messages(ended, file, expected);
+  if (expected.by_check)
+    expect_messages(call("check " + file + " " + expected.options, folder), file, expected);
   EXPECT_FALSE(fs::exists(scratch / "results"));
 }
 

@@ -176,6 +176,24 @@ TEST_F(Checks, unions_take_each_of_their_forms) {
             "s.lua:2: p: must be true or false or a number (m) or a point {x, y} (m), got the text \"x\"\n");
 }
 
+TEST_F(Checks, a_point_may_say_what_its_two_numbers_are) {
+  Parameter count = parameter("", only(Form::integer));
+  count.range = {1, 100, false, false};
+  Parameter p = parameter("", only(Form::point));
+  p.each = each(count);
+  const auto two = [](double a, double b) {
+    return Builder().item(make_value(a)).item(make_value(b)).make();
+  };
+  EXPECT_EQ(check_one(p, two(3, 4)).point("p"), std::pair(3.0, 4.0));
+  EXPECT_EQ(said(), "");
+  check_one(p, two(3.5, 0));
+  const std::string text = said();
+  EXPECT_NE(text.find("must be a whole number"), std::string::npos) << text;
+  EXPECT_NE(text.find("must be at least 1 and at most 100, got 0"), std::string::npos) << text;
+  check_one(p, Builder().item(make_value(3.0)).make());
+  EXPECT_EQ(said(), "s.lua:2: p: must be two of: a whole number, got a table\n");
+}
+
 TEST_F(Checks, objects_come_as_words_or_constructors) {
   Parameter p = parameter("", only(Form::object));
   p.kind = "law";

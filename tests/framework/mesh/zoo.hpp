@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/registry.hpp"
 #include "core/schema.hpp"
 #include "framework/mesh/mesh_shapes.hpp"
+#include "model/scene.hpp"
 
 namespace ashlar::mesh {
 
@@ -84,6 +86,27 @@ class GeneratorSettings {
   GeneratorSettings& set(const std::string& key, const std::string& value) {
     return set(key, core::make_value(value));
   }
+  /// An entry of a list or map of objects, checked by the schema of its kind.
+  GeneratorSettings& add(const std::string& key, const std::string& name, const core::Value& value,
+                         const core::Schema& schema) {
+    core::Mistakes mistakes;
+    core::Settings object = core::check(value, schema, core::Registry(), mistakes);
+    EXPECT_TRUE(mistakes.empty()) << core::to_string(mistakes.list().front());
+    auto& entries = settings_.entries;
+    if (entries.empty() || entries.back().key != key) entries.push_back({key, {}, true, {}, nullptr, {}});
+    entries.back().objects.emplace_back(name, std::move(object));
+    return *this;
+  }
+  /// One item of `refine`: { what = target, size = size, radius = radius }.
+  GeneratorSettings& refine(const std::string& what, core::Value target, double size, double radius) {
+    core::Registry registry;
+    model::register_scene_kinds(registry);
+    core::Table table;
+    table.entries = {
+        {what, std::move(target)}, {"size", core::make_value(size)}, {"radius", core::make_value(radius)}};
+    return add("refine", "1", core::make_value(std::move(table)),
+               registry.find("refinement", "refinement")->schema);
+  }
   /// Adds the keys that the schema knows and that were not said, without a value.
   core::Settings with(const std::vector<std::pair<std::string, core::Value>>& defaults) const {
     core::Settings settings = settings_;
@@ -98,14 +121,6 @@ class GeneratorSettings {
  private:
   core::Settings settings_;
 };
-
-/// One item of `refine`: { what = target, size = size, radius = radius }.
-inline core::Value refinement(const std::string& what, core::Value target, double size, double radius) {
-  core::Table table;
-  table.entries = {
-      {what, std::move(target)}, {"size", core::make_value(size)}, {"radius", core::make_value(radius)}};
-  return core::make_value(std::move(table));
-}
 
 inline core::Value list_of(std::vector<core::Value> items) {
   core::Table table;

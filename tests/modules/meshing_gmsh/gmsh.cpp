@@ -79,9 +79,10 @@ TEST(gmsh, same_settings_same_bits) {
 TEST(gmsh, follows_sizes) {
   core::Table map;
   map.entries = {{"rock", core::make_value(1.0)}, {"dam", core::make_value(0.25)}};
-  const auto refine = list_of({refinement("joint", core::make_value(std::string("fault")), 0.1, 0.2)});
-  const RawMesh mesh =
-      generate(jointed_dam(), GeneratorSettings().set("size", core::make_value(map)).set("refine", refine));
+  const auto settings = GeneratorSettings()
+                            .set("size", core::make_value(map))
+                            .refine("joint", core::make_value(std::string("fault")), 0.1, 0.2);
+  const RawMesh mesh = generate(jointed_dam(), settings);
   EXPECT_EQ(Conformity(jointed_dam(), mesh).faults(), "");
   EXPECT_NEAR(length_near(mesh, {20, 4}, 2), 1.0, 0.2);
   EXPECT_NEAR(length_near(mesh, {11.5, 12.5}, 1), 0.25, 0.05);

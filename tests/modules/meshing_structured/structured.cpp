@@ -20,10 +20,19 @@ core::Value numbers(const std::vector<double>& values) {
   return list_of(items);
 }
 
-core::Value map_of(const std::vector<std::pair<std::string, core::Value>>& entries) {
+/// Settings of one region as `check` gives them.
+GeneratorSettings& own_cells(GeneratorSettings& settings, const std::string& region,
+                             const core::Value& cells) {
+  core::Parameter parameter;
+  parameter.forms = static_cast<unsigned>(core::Form::point);
+  core::Schema schema{"structured_region", "structured_region", "", "", {}};
+  for (const char* key : {"cells", "size", "grading"}) {
+    parameter.key = key;
+    schema.parameters.push_back(parameter);
+  }
   core::Table table;
-  table.entries = entries;
-  return core::make_value(table);
+  table.entries = {{"cells", cells}};
+  return settings.add("regions", region, core::make_value(table), schema);
 }
 
 RawMesh generate(const Domain& domain, const GeneratorSettings& said) {
@@ -105,10 +114,8 @@ TEST(structured, neighbours_that_match_share_points_and_others_hang) {
       zoo_domain({region("low", rectangle(6, 2)), region("high", polygon({{0, 2}, {6, 2}, {6, 4}, {0, 4}}))});
   const Mesh same = built(domain, sized(0.5));
   EXPECT_EQ(report(same).corners_max, 4);
-  const auto other = GeneratorSettings()
-                         .set("size", 0.5)
-                         .set("regions", map_of({{"high", map_of({{"cells", numbers({5, 3})}})}}));
-  const Mesh mesh = built(domain, other);
+  auto other = sized(0.5);
+  const Mesh mesh = built(domain, own_cells(other, "high", numbers({5, 3})));
   EXPECT_GT(report(mesh).corners_max, 4);
   Index count = 0;
   bodies(mesh, count);
@@ -144,12 +151,6 @@ TEST(structured, mistakes_say_what_to_do) {
   EXPECT_TRUE(says(mistake(holed, sized(0.1)), "four-sided"));
   const Domain block = zoo_domain({region("block", rectangle(1, 1))});
   EXPECT_TRUE(says(mistake(block, GeneratorSettings()), "no cells and no size"));
-  EXPECT_TRUE(says(mistake(block, GeneratorSettings().set("cells", numbers({3}))), "two numbers"));
-  EXPECT_TRUE(says(mistake(block, GeneratorSettings().set("cells", numbers({3, 0}))), "whole numbers"));
-  EXPECT_TRUE(
-      says(mistake(block, sized(0.1).set("regions", map_of({{"blok", map_of({})}}))), "no region 'blok'"));
-  EXPECT_TRUE(says(
-      mistake(block, sized(0.1).set("regions", map_of({{"block", map_of({{"cels", numbers({1, 1})}})}}))),
-      "unknown key"));
+  EXPECT_TRUE(says(mistake(block, sized(0.1).set("cells", numbers({3, 3}))), "not both"));
   EXPECT_TRUE(says(mistake(block, sized(1e-5)), "20 million"));
 }
