@@ -10,7 +10,7 @@
 #include <sstream>
 #include <vector>
 
-#include "call.hpp"
+#include "program.hpp"
 
 namespace ashlar::test {
 namespace {

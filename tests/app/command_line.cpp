@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "call.hpp"
+#include "program.hpp"
 
 namespace ashlar::test {
 namespace {
@@ -118,15 +118,6 @@ TEST(command_line, scripts_reach_files_only_with_trust) {
   EXPECT_FALSE(fs::exists(folder / "stolen"));
   EXPECT_EQ(call(check + " --trust").code, 0);
   EXPECT_TRUE(fs::exists(folder / "stolen"));
-}
-
-TEST(command_line, an_endless_script_stops_at_ctrl_c) {
-  const ScratchFolder folder;
-  write(folder / "scene.lua", "while true do end\n");
-  const Ended ended =
-      call("check " + quoted(folder / "scene.lua"), source_folder, "timeout --preserve-status -s INT 1");
-  EXPECT_EQ(ended.code, 130) << ended.err;
-  EXPECT_NE(ended.err.find("interrupted"), std::string::npos) << ended.err;
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "call.hpp"
 #include "output/files.hpp"
+#include "program.hpp"
 #include "script/script.hpp"
 
 namespace ashlar::test {

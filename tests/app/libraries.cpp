@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "call.hpp"
+#include "program.hpp"
 
 namespace ashlar::test {
 namespace {

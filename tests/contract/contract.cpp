@@ -7,12 +7,12 @@
 
 #include "program.hpp"
 
+namespace ashlar::test {
 namespace {
 
-using program::fs::path;
-
-/// A block under a given traction: no joint, no weight, no water, a structured mesh.
-const char* plain_block = R"(
+/// A block on a structured mesh, no joint, no water; what acts on it is up to the caller.
+std::string block_under(const std::string& loads) {
+  return R"(
 local rock = material.elastic { E = 1e9, nu = 0.25, unit_weight = 24e3 }
 return Scene {
   title = "A pressed block", plane = "strain",
@@ -20,15 +20,18 @@ return Scene {
   mesh = mesh.structured { size = 0.1 },
   element = "vem",
   supports = { ["block.bottom"] = "xy" },
-  stages = { Stage { "press", tractions = { ["block.top"] = { x = 1e4, y = -1e5 } } } },
+  stages = { Stage { "only", )" +
+         loads + " } },\n}\n";
 }
-)";
+
+const std::string traction = R"(tractions = { ["block.top"] = { x = 1e4, y = -1e5 } })";
+const std::string weight = "gravity = true";
 
 /// The modules as they were built, without one.
-void copy_modules_without(const std::string& left_out, const path& to) {
-  for (const auto& folder : program::fs::directory_iterator(ASHLAR_BINARY_DIR "/modules"))
-    if (program::fs::exists(folder.path() / "module.lua") && folder.path().filename() != left_out)
-      program::fs::copy(folder.path(), to / folder.path().filename());
+void copy_modules_without(const std::string& left_out, const fs::path& to) {
+  for (const auto& folder : fs::directory_iterator(ASHLAR_BINARY_DIR "/modules"))
+    if (fs::exists(folder.path() / "module.lua") && folder.path().filename() != left_out)
+      fs::copy(folder.path(), to / folder.path().filename());
 }
 
 std::vector<std::string> effects_in_ledger(const nlohmann::json& json) {
@@ -37,67 +40,77 @@ std::vector<std::string> effects_in_ledger(const nlohmann::json& json) {
   return effects;
 }
 
-class Contract : public testing::TestWithParam<std::string> {};
+struct Unmentioned {
+  std::string module;
+  std::string loads;  ///< that do not need it
+};
+
+class Contract : public testing::TestWithParam<Unmentioned> {};
 
 }  // namespace
 
 TEST_P(Contract, UnmentionedMeansAbsent) {
-  const std::string module = GetParam();
-  program::Folder folder("contract-" + module);
-  program::write(folder / "scene.lua", plain_block);
-  const program::Run with = program::run(folder / "scene.lua", folder / "with");
-  ASSERT_EQ(with.exit_code, 0) << with.said;
+  const std::string module = GetParam().module;
+  const ScratchFolder folder;
+  write(folder / "scene.lua", block_under(GetParam().loads));
+  const Ran with = run(folder / "scene.lua", folder / "with");
+  ASSERT_EQ(with.code, 0) << with.err;
 
   // Not opened, no time and no data in the ledger, named among what is not simulated.
   const std::vector<std::string> open = with.json.at("modules");
   EXPECT_EQ(std::count(open.begin(), open.end(), module), 0);
   const auto effects = effects_in_ledger(with.json);
   EXPECT_EQ(std::count(effects.begin(), effects.end(), module), 0);
-  EXPECT_EQ(with.json.at("effects").at("simulated").at("press").contains(module), false);
+  EXPECT_FALSE(with.json.at("effects").at("simulated").at("only").contains(module));
+  EXPECT_EQ(with.json.at("effects").at("left_out").contains(module), !module.starts_with("meshing_"));
 
   // The same bits as a program that never had the module.
-  program::fs::create_directories(folder / "modules");
+  fs::create_directories(folder / "modules");
   copy_modules_without(module, folder / "modules");
-  const program::Run without = program::run(folder / "scene.lua", folder / "without", "",
-                                            "ASHLAR_MODULES='" + (folder / "modules").string() + "'");
-  ASSERT_EQ(without.exit_code, 0) << without.said;
+  const Ran without = run(folder / "scene.lua", folder / "without", "",
+                          "ASHLAR_MODULES='" + (folder / "modules").string() + "'");
+  ASSERT_EQ(without.code, 0) << without.err;
   EXPECT_EQ(with.json.at("stages"), without.json.at("stages"));
-  const std::string fields = program::read(with.out / "vtu" / "01_press.vtu");
+  const std::string fields = read(with.folder / "vtu" / "01_only.vtu");
   EXPECT_GT(fields.size(), 1000u);
-  EXPECT_EQ(fields, program::read(without.out / "vtu" / "01_press.vtu"));
+  EXPECT_EQ(fields, read(without.folder / "vtu" / "01_only.vtu"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Modules, Contract,
-                         testing::Values("contact", "gravity", "water", "meshing_gmsh", "meshing_voronoi"),
-                         [](const auto& info) { return info.param; });
+                         testing::ValuesIn(std::vector<Unmentioned>{{"contact", traction},
+                                                                    {"gravity", traction},
+                                                                    {"water", traction},
+                                                                    {"loads", weight},
+                                                                    {"meshing_file", traction},
+                                                                    {"meshing_gmsh", traction},
+                                                                    {"meshing_voronoi", traction}}),
+                         [](const auto& info) { return info.param.module; });
 
 TEST(ContractOfEffects, WhatIsCalledIsThere) {
   // The other side of the contract: without it the checks above could pass on a program that does nothing.
-  program::Folder folder("contract-called");
-  std::string scene = plain_block;
-  scene.replace(scene.find("tractions ="), 0, "gravity = true, ");
-  program::write(folder / "scene.lua", scene);
-  const program::Run run = program::run(folder / "scene.lua", folder / "out");
-  ASSERT_EQ(run.exit_code, 0) << run.said;
-  const std::vector<std::string> open = run.json.at("modules");
+  const ScratchFolder folder;
+  write(folder / "scene.lua", block_under(weight + ", " + traction));
+  const Ran ran = run(folder / "scene.lua", folder / "out");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const std::vector<std::string> open = ran.json.at("modules");
   EXPECT_EQ(std::count(open.begin(), open.end(), "gravity"), 1);
-  const auto effects = effects_in_ledger(run.json);
+  const auto effects = effects_in_ledger(ran.json);
   EXPECT_EQ(std::count(effects.begin(), effects.end(), "gravity"), 1);
   // Weight of 2 m² under 24 kN/m³.
-  EXPECT_NEAR(run.json.at("stages")[0].at("balance").at("loads").at("gravity").at("y").get<double>(), -48e3,
+  EXPECT_NEAR(ran.json.at("stages")[0].at("balance").at("loads").at("gravity").at("y").get<double>(), -48e3,
               1e-6);
 }
 
 TEST(ContractOfEffects, AMissingModuleIsSaid) {
-  program::Folder folder("contract-missing");
-  std::string scene = plain_block;
-  scene.replace(scene.find("tractions ="), 0, "gravity = true, ");
-  program::write(folder / "scene.lua", scene);
-  program::fs::create_directories(folder / "modules");
+  const ScratchFolder folder;
+  write(folder / "scene.lua", block_under(weight + ", " + traction));
+  fs::create_directories(folder / "modules");
   copy_modules_without("gravity", folder / "modules");
-  const program::Run run = program::run(folder / "scene.lua", folder / "out", "",
-                                        "ASHLAR_MODULES='" + (folder / "modules").string() + "'");
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.said.find("gravity"), std::string::npos) << run.said;
-  EXPECT_FALSE(program::fs::exists(run.out / "results.h5"));
+  const Ran ran =
+      run(folder / "scene.lua", folder / "out", "", "ASHLAR_MODULES='" + (folder / "modules").string() + "'");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("gravity"), std::string::npos) << ran.err;
+  EXPECT_FALSE(fs::exists(ran.folder / "results.h5"));
 }
+
+}  // namespace ashlar::test

@@ -4,6 +4,7 @@
 
 #include "program.hpp"
 
+namespace ashlar::test {
 namespace {
 
 /// Voronoi cells, a joint in contact, weight and water: everything that could depend on the order of threads.
@@ -26,20 +27,22 @@ return Scene {
 }  // namespace
 
 TEST(Determinism, SameBitsForAnyThreadCount) {
-  program::Folder folder("determinism");
-  program::write(folder / "scene.lua", jointed_block);
-  const program::Run one = program::run(folder / "scene.lua", folder / "one", "--threads 1");
-  ASSERT_EQ(one.exit_code, 0) << one.said;
+  const ScratchFolder folder;
+  write(folder / "scene.lua", jointed_block);
+  const Ran one = run(folder / "scene.lua", folder / "one", "--threads 1");
+  ASSERT_EQ(one.code, 0) << one.err;
   for (const char* threads : {"1", "2", "3", "7"}) {
-    const program::Run other = program::run(folder / "scene.lua", folder / (std::string("t") + threads),
-                                            std::string("--threads ") + threads);
-    ASSERT_EQ(other.exit_code, 0) << other.said;
+    const Ran other =
+        run(folder / "scene.lua", folder / (std::string("t") + threads), std::string("--threads ") + threads);
+    ASSERT_EQ(other.code, 0) << other.err;
     EXPECT_EQ(one.json.at("stages"), other.json.at("stages")) << threads << " threads";
     for (const char* file :
          {"vtu/01_weight.vtu", "vtu/02_water.vtu", "vtu/02_water_joints.vtu", "joint_fault.csv"}) {
-      const std::string bytes = program::read(one.out / file);
+      const std::string bytes = read(one.folder / file);
       EXPECT_GT(bytes.size(), 100u) << file;
-      EXPECT_EQ(bytes, program::read(other.out / file)) << file << " with " << threads << " threads";
+      EXPECT_EQ(bytes, read(other.folder / file)) << file << " with " << threads << " threads";
     }
   }
 }
+
+}  // namespace ashlar::test
