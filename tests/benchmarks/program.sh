@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # CPU seconds, wall clock and peak memory of whole processes: least and median of several runs after one to warm
-# the file cache, with their bounds beside.
+# the file cache, with their bounds beside. Ends with 1 if a least CPU time or a peak of memory is over its bound.
 #   program.sh BUILD
 set -euo pipefail
 
@@ -27,29 +27,46 @@ column() {
   cut -d' ' -f"$1" "$folder/times" | sort -n | awk '{ t[NR] = $1 } END { print t[1], t[int((NR + 1) / 2)] }'
 }
 
-# measure WHAT BOUND RUNS command…
+over=0
+
+# judge VALUE BOUND : sets `verdict`, and `over` if the value is above its bound.
+judge() {
+  verdict=within
+  if ! awk -v value="$1" -v bound="$2" 'BEGIN { exit !(value <= bound) }'; then
+    verdict=OVER
+    over=1
+  fi
+}
+
+# measure WHAT BOUND RUNS command… : the bound is in seconds of CPU, for the least of the runs
 measure() {
   local what=$1 bound=$2 runs=$3
   shift 3
   : >"$folder/times"
   for ((i = 0; i < runs; i++)); do once "$@"; done
-  # shellcheck disable=SC2046,SC2183
-  printf '%-44s CPU %7.3f %7.3f   wall %7.3f %7.3f   %s\n' "$what" $(column 1) $(column 2) "$bound"
+  local least median wall
+  read -r least median <<<"$(column 1)"
+  wall=$(column 2)
+  judge "$least" "$bound"
+  # shellcheck disable=SC2086
+  printf '%-44s CPU %7.3f %7.3f   wall %7.3f %7.3f   bound: %s s CPU, %s\n' "$what" "$least" "$median" $wall "$bound" "$verdict"
 }
 
-peak() { awk -F'[:,]' '/"peak_bytes"/ { printf "%.2f GB\n", $2 / 1e9 }' "$1"; }
+peak() { awk -F'[:,]' '/"peak_bytes"/ { printf "%.2f\n", $2 / 1e9 }' "$1"; }
 
 run_dam() { "$ashlar" run "$dam" --set cells="$1" --threads 1 --out "$folder/dam" --json "$folder/dam.json" --quiet; }
 
 echo "seconds: least and median of several runs; the load of the machine was $(cut -d' ' -f1-3 /proc/loadavg)"
 "$ashlar" check "$dam" >/dev/null
-measure "check of the jointed dam" "bound: 0.05 s" 11 "$ashlar" check "$dam"
-measure "cantilever, whole process (no gmsh)" "bound: 0.15 s" 11 \
+measure "check of the jointed dam" 0.05 11 "$ashlar" check "$dam"
+measure "cantilever, whole process (no gmsh)" 0.15 11 \
   "$ashlar" run "$root/examples/cantilever" --out "$folder/cantilever" --quiet
-measure "dam, 20 000 Voronoi cells, all output" "bound: 2.5 s CPU" 5 run_dam 20000
-echo "  peak memory $(peak "$folder/dam.json")"
-measure "dam, 100 000 Voronoi cells, all output" "bound: 15 s CPU" 3 run_dam 100000
-echo "  peak memory $(peak "$folder/dam.json")   bound: 1.5 GB"
+measure "dam, 20 000 Voronoi cells, all output" 2.5 5 run_dam 20000
+echo "  peak memory $(peak "$folder/dam.json") GB"
+measure "dam, 100 000 Voronoi cells, all output" 15 3 run_dam 100000
+memory=$(peak "$folder/dam.json")
+judge "${memory:?the run told no peak_bytes}" 1.5
+echo "  peak memory $memory GB   bound: 1.5 GB, $verdict"
 
 crosscheck=$build/tests/crosscheck/crosscheck
 if [[ -x $crosscheck ]] && command -v ccx >/dev/null; then
@@ -59,3 +76,4 @@ else
   echo "no comparison with CalculiX: ccx or $crosscheck is missing"
 fi
 echo "load at the end $(cut -d' ' -f1-3 /proc/loadavg)"
+exit "$over"

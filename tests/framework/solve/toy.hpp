@@ -124,6 +124,32 @@ class Stop : public model::LocalTerm {
   fields::State::Id status_;
 };
 
+/// A stop that is always closed, but whose status settles only where a step moves its dof less than `reach`.
+class ShyStop : public Stop {
+ public:
+  ShyStop(fields::State& state, Index dof, double stiffness, double reach)
+      : Stop(state, dof, stiffness, {}), stiffness_(stiffness), reach_(reach) {
+    flips_ = state.add("shy.flips." + std::to_string(dof), 1);
+  }
+  void add_local(const fields::State&, std::span<const double> u, Eigen::Ref<Eigen::VectorXd> force,
+                 Eigen::Ref<Eigen::MatrixXd> tangent) const override {
+    force[0] += stiffness_ * u[0];
+    tangent(0, 0) += stiffness_;
+  }
+  int update_status(fields::State& state, std::span<const double> u) const override {
+    if (std::abs(u[0] - state.committed(0)[touched()[0]]) <= reach_) return 0;
+    state.trial(flips_)[0] = 1 - state.trial(flips_)[0];
+    return 1;
+  }
+  std::vector<std::int8_t> status(const fields::State& state) const override {
+    return {static_cast<std::int8_t>(state.trial(flips_)[0])};
+  }
+
+ private:
+  double stiffness_, reach_;
+  fields::State::Id flips_;
+};
+
 /// An effect from a lambda.
 class Made : public model::Effect {
  public:
