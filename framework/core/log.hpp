@@ -9,6 +9,7 @@ namespace ashlar::core {
 
 enum class Level { debug, info, warning };
 
+/// A line that was said before is not said again.
 class Log {
  public:
   using Sink = std::function<void(Level, const std::string&)>;

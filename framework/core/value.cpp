@@ -2,6 +2,13 @@
 
 namespace ashlar::core {
 
+double Function::number(std::span<const double> arguments, Dimension) const {
+  const std::vector<double> results = call(arguments);
+  if (results.size() == 1) return results.front();
+  throw InputError(
+      Mistake{{}, "the function must return one number, but returns " + std::to_string(results.size()), {}});
+}
+
 const Table* Value::table() const {
   const auto* held = std::get_if<std::shared_ptr<const Table>>(&data);
   return held ? held->get() : nullptr;

@@ -27,6 +27,8 @@ class Function {
   /// Returns the numbers that the script's function returns for these arguments (SI).
   /// Throws InputError naming the place and the arguments if it fails or gives something else.
   virtual std::vector<double> call(std::span<const double> arguments) const = 0;
+  /// The one number that it returns, of this dimension if it was written with one. Throws as `call` does.
+  virtual double number(std::span<const double> arguments, Dimension dimension) const;
 };
 
 struct Table;

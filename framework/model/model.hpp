@@ -30,9 +30,12 @@ struct Model {
 /// Dofs that are held in a stage, with their displacements at the stage's end, and the numbers of the free
 /// ones.
 struct Constraints {
-  std::vector<char> held;      ///< by dof
-  std::vector<double> value;   ///< by dof: prescribed displacement [m]; 0 where free
-  std::vector<char> in_place;  ///< by dof: held where the stage finds it; its value does not count
+  std::vector<char> held;     ///< by dof
+  std::vector<double> value;  ///< by dof: prescribed displacement [m]; 0 where free
+  std::vector<char>
+      in_place;  ///< by dof: held where the stage finds it; if also held at a value, both must agree
+  std::vector<char> at_value;  ///< by dof: held at `value`
+  std::vector<int> support;    ///< by dof: the stage's support that holds it first, -1 if free
   std::vector<Index> unknown;  ///< by dof: number of the free unknown, -1 if held
   std::vector<Index> dof;      ///< by unknown
   Index unknowns() const { return static_cast<Index>(dof.size()); }

@@ -90,7 +90,15 @@ std::optional<geometry::Arc> read_arc(const Corner& corner, Point end, const cor
                      " and " + core::format_quantity(r_end, metre));
     return {};
   }
-  return arc_about({x, y}, corner.at, end);
+  const geometry::Arc found = arc_about({x, y}, corner.at, end);
+  // Round about half a turn, which way is meant hangs on the last digit.
+  const Point a = corner.at - found.center, b = end - found.center;
+  if (!(corner.at == end) && geometry::dot(a, b) < 0 && std::abs(geometry::cross(a, b)) < 1e-6 * r * r_end) {
+    mistakes.add(corner.arc->place, "a half circle about its center can go either way round",
+                 "say a point that it goes through: Arc { through = {x, y} }");
+    return {};
+  }
+  return found;
 }
 
 // Crossings are looked for on the ring's chords; arcs by chords of 7.5°.

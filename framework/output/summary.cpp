@@ -131,6 +131,26 @@ std::string joints_text(const model::RunResult& result) {
   return rows.size() == 1 ? std::string() : "Joints (greatest values)\n" + aligned(rows, 2);
 }
 
+std::string probes_text(const model::RunResult& result) {
+  Rows rows = {{"", "stage", "at [m]", "ux", "uy", "s1", "s3"}};
+  for (const model::StageResult& stage : result.stages)
+    for (const model::ProbeResult& probe : stage.probes) {
+      std::vector<std::string> row = {probe.name, stage.name, place_text(probe.at.x, probe.at.y)};
+      for (const char* name : {"ux", "uy", "s1", "s3"}) {
+        const auto value = probe.values.find(name);
+        row.push_back(value == probe.values.end() ? ""
+                                                  : short_quantity(value->second, *name == 'u' ? "m" : "Pa"));
+      }
+      rows.push_back(std::move(row));
+    }
+  if (rows.size() == 1) return {};
+  // A column that no probe asked for is left out.
+  for (std::size_t column = rows.front().size(); column-- > 3;)
+    if (std::all_of(rows.begin() + 1, rows.end(), [&](const auto& row) { return row[column].empty(); }))
+      for (auto& row : rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+  return "Probes\n" + aligned(rows, 2);
+}
+
 std::string iterations_text(const model::RunResult& result) {
   Rows rows = {{"stage", "iterations", "last residual", "backward error", "unknowns", "solved with"}};
   for (const model::StageResult& stage : result.stages) {
@@ -178,8 +198,8 @@ std::string summary(const RunRecord& record, const std::vector<std::filesystem::
   std::string text = record.scene.title + "\n";
   for (const std::string& paragraph :
        {simulated_text(record.plan), mesh_text(record.mesh_report, record.model), balance_text(record.result),
-        extremes_text(record.result), joints_text(record.result), iterations_text(record.result),
-        costs_text(record.ledger), files_text(files)})
+        extremes_text(record.result), probes_text(record.result), joints_text(record.result),
+        iterations_text(record.result), costs_text(record.ledger), files_text(files)})
     if (!paragraph.empty()) text += "\n" + paragraph;
   return text;
 }

@@ -20,6 +20,8 @@ std::string mesh_text(const mesh::MeshReport& report, const model::Model& model)
 std::string balance_text(const model::RunResult& result);
 /// Least and greatest values of the last stage with their places.
 std::string extremes_text(const model::RunResult& result);
+/// Displacements and principal stresses at the probes, all stages.
+std::string probes_text(const model::RunResult& result);
 std::string joints_text(const model::RunResult& result);
 std::string iterations_text(const model::RunResult& result);
 /// Time by phase and effect, memory at its peak.

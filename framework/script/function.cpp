@@ -17,7 +17,31 @@ class ScriptFunction : public core::Function {
   ~ScriptFunction() override { luaL_unref(machine_->state(), LUA_REGISTRYINDEX, reference_); }
 
   std::vector<double> call(std::span<const double> arguments) const override {
-    std::vector<double> results;
+    std::vector<double> values;
+    for (const core::Quantity& each : results(arguments)) values.push_back(each.value);
+    return values;
+  }
+
+  double number(std::span<const double> arguments, core::Dimension dimension) const override {
+    const std::vector<core::Quantity> all = results(arguments);
+    if (all.size() != 1)
+      throw error(place_, "must return one number, but returns " + std::to_string(all.size()), arguments);
+    if (!all[0].bare && !(all[0].dimension == dimension))
+      throw error(place_,
+                  "must return " + unit_words(dimension) + ", but returns " +
+                      core::format_quantity(all[0].value, all[0].dimension),
+                  arguments);
+    return all[0].value;
+  }
+
+ private:
+  static std::string unit_words(core::Dimension dimension) {
+    const std::string unit = core::to_string(dimension);
+    return unit.empty() ? "a pure number" : "a number in " + unit;
+  }
+
+  std::vector<core::Quantity> results(std::span<const double> arguments) const {
+    std::vector<core::Quantity> results;
     const auto failure = machine_->protect([&](lua_State* L) {
       luaL_checkstack(L, static_cast<int>(arguments.size()) + 2, "too many arguments");
       lua_rawgeti(L, LUA_REGISTRYINDEX, reference_);
@@ -30,8 +54,7 @@ class ScriptFunction : public core::Function {
     return results;
   }
 
- private:
-  double result(lua_State* L, int index, std::span<const double> arguments) const {
+  core::Quantity result(lua_State* L, int index, std::span<const double> arguments) const {
     const auto quantity = to_quantity(L, index);
     if (!quantity) {
       const std::string got = lua_isnil(L, index) ? "nothing" : std::string("a ") + luaL_typename(L, index);
@@ -39,7 +62,7 @@ class ScriptFunction : public core::Function {
     }
     if (!std::isfinite(quantity->value))
       throw error(place_, "returns " + core::format_quantity(quantity->value, {}), arguments);
-    return quantity->value;
+    return *quantity;
   }
 
   core::InputError error(core::Place place, const std::string& what,

@@ -51,7 +51,7 @@ LocalResult correct(const Bulk& bulk, const LocalTerms& local, const model::Cons
   std::vector<double> right = free_part(constraints, residual);
   for (double& r : right) r = -r;
   std::vector<double> change(right.size());
-  LocalResult result{true, {}};
+  LocalResult result{true, false, {}};
   if (local.empty()) {
     bulk.solver().solve(right, change);
   } else {
@@ -102,6 +102,7 @@ StepReport advance(const Bulk& bulk, const LocalTerms& local, const model::Const
       report.iterations.insert(report.iterations.end(), rows.begin(), rows.end());
     if (!result.converged) {
       report.reason = result.reason;
+      report.singular = result.singular;
       return report;
     }
     const std::vector<double> left = out_of_balance(bulk, local, target.load, state);

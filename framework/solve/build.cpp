@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/ledger.hpp"
+#include "core/log.hpp"
 #include "mesh/generator.hpp"
 
 namespace ashlar::solve {
@@ -12,13 +14,20 @@ using geometry::Index;
 
 namespace {
 
-/// Chords of arcs: as long as the mesh's cells where the scene gives one size, else a fiftieth of the scene.
-double arc_chord(const model::Scene& scene, double length) {
-  const double coarse = length / 50;
-  for (const auto& entry : scene.mesh.entries)
-    if (entry.key == "size")
-      if (const core::Quantity* size = entry.value.quantity()) return std::min(size->value, coarse);
-  return coarse;
+/// The smallest cell size that the scene names [m]; nothing if it names none.
+std::optional<double> cell_size(const model::Scene& scene, double area) {
+  std::optional<double> size;
+  const auto take = [&](double each) { size = std::min(each, size.value_or(each)); };
+  for (const auto& entry : scene.mesh.entries) {
+    const core::Quantity* number = entry.value.quantity();
+    if (entry.key == "cells" && number) take(std::sqrt(area / number->value));
+    if (entry.key != "size") continue;
+    if (number) take(number->value);
+    if (const core::Table* by_region = entry.value.table())
+      for (const auto& [region, value] : by_region->entries)
+        if (value.quantity()) take(value.quantity()->value);
+  }
+  return size;
 }
 
 double shape_length(const geometry::Shape& shape) {
@@ -26,13 +35,23 @@ double shape_length(const geometry::Shape& shape) {
   const auto visit = [&](const auto& self, const geometry::Shape& part) -> void {
     for (const auto& ring : part.rings)
       for (const auto& edge : ring) {
-        low_x = std::min(low_x, edge.start.x), high_x = std::max(high_x, edge.start.x);
-        low_y = std::min(low_y, edge.start.y), high_y = std::max(high_y, edge.start.y);
+        // An arc may reach all round its centre; a disk is one edge.
+        const geometry::Point middle = edge.arc ? edge.arc->center : edge.start;
+        const double reach = geometry::distance(middle, edge.start);
+        low_x = std::min(low_x, middle.x - reach), high_x = std::max(high_x, middle.x + reach);
+        low_y = std::min(low_y, middle.y - reach), high_y = std::max(high_y, middle.y + reach);
       }
     for (const auto& operand : part.operands) self(self, operand);
   };
   visit(visit, shape);
   return std::max(0.0, std::hypot(high_x - low_x, high_y - low_y));
+}
+
+bool has_arcs(const geometry::Shape& shape) {
+  for (const auto& ring : shape.rings)
+    for (const auto& edge : ring)
+      if (edge.arc) return true;
+  return std::any_of(shape.operands.begin(), shape.operands.end(), has_arcs);
 }
 
 /// A mesh from a file names its own regions: cells are renumbered to the scene's regions.
@@ -63,14 +82,21 @@ void name_file_regions(const model::Scene& scene, mesh::RawMesh& raw, core::Mist
 mesh::Domain build_domain(const model::Scene& scene, core::Mistakes& mistakes) {
   std::vector<mesh::RegionShape> shapes;
   double length = 0;
+  bool arcs = false;
   for (const auto& region : scene.regions) {
     if (!region.mesh_group.empty()) continue;
     shapes.push_back({region.name, region.shape, region.place});
     length = std::max(length, shape_length(region.shape));
+    arcs = arcs || has_arcs(region.shape);
   }
   std::vector<mesh::JointLine> joints;
   for (const auto& joint : scene.joints) joints.push_back(joint.line);
-  mesh::Domain domain = mesh::make_domain(shapes, joints, arc_chord(scene, length), mistakes);
+  // Chords of arcs are as long as cells, so that refining the mesh refines the arcs with it.
+  const double chord = std::min(cell_size(scene, length * length / 2).value_or(length / 50), length / 4);
+  mesh::Domain domain = mesh::make_domain(shapes, joints, chord, mistakes);
+  if (arcs)
+    core::log().info("arcs are drawn with chords of at most " + core::format_quantity(chord, {1, 0, 0}) +
+                     " and 7.5°: smaller cells follow them closer");
   for (const auto& probe : scene.probes) domain.named_points[probe.name] = probe.at;
   return domain;
 }
@@ -87,6 +113,10 @@ std::vector<std::shared_ptr<const model::Material>> build_materials(const model:
     }
     const auto make = registry.make<model::MakeMaterial>("material", region.material.name);
     materials.push_back(make(region.material, scene.plane, mistakes));
+    const model::Material* made = materials.back().get();
+    if (made && (!made->linear() || made->internal_variables() > 0))
+      mistakes.add(region.material.place, "the law '" + region.material.name + "' is nonlinear",
+                   "this version solves linear laws only");
   }
   return materials;
 }

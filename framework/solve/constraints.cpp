@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "model/place.hpp"
 #include "solve/build.hpp"
 
 namespace ashlar::solve {
@@ -15,6 +16,16 @@ namespace {
 struct Held {
   std::vector<Index> points, edges;
 };
+
+/// A point support at a joint holds all its sides: any of the lips there finds the place.
+std::string some_lip(const mesh::Mesh& mesh, Point at) {
+  const Index nearest = mesh::nearest_point(mesh, at);
+  for (const mesh::JointLips& joint : mesh.joints)
+    for (int side = 0; side < 2; ++side)
+      for (const mesh::LipEdge& edge : joint.lips[side])
+        if (edge.from == nearest || edge.to == nearest) return joint.name + "." + joint.sides[side];
+  return {};
+}
 
 Held find_held(const model::Model& model, const model::SupportData& support, core::Mistakes& mistakes) {
   const mesh::Mesh& mesh = model.mesh;
@@ -30,7 +41,9 @@ Held find_held(const model::Model& model, const model::SupportData& support, cor
     for (const Index edge : held.edges)
       held.points.insert(held.points.end(), mesh.edge_points[edge].begin(), mesh.edge_points[edge].end());
   } else if (support.at) {
-    held.points = {mesh::nearest_point(mesh, *support.at)};
+    const Index point =
+        model::point_at(mesh, {*support.at, some_lip(mesh, *support.at), support.place}, mistakes);
+    if (point >= 0) held.points = model::points_together(mesh, point);
   } else if (support.box) {
     const auto [a, b] = *support.box;
     const double slack = 1e-9 * model.length;
@@ -52,7 +65,7 @@ std::optional<double> moved_to(const core::Value& value, Point at) {
   if (value.is_nothing()) return {};
   if (const core::Quantity* number = value.quantity()) return number->value;
   const std::array<double, 2> arguments{at.x, at.y};
-  return value.function()->call(arguments).at(0);
+  return value.function()->number(arguments, {1, 0, 0});
 }
 
 struct Hold {
@@ -60,17 +73,23 @@ struct Hold {
   core::Mistakes& mistakes;
   std::vector<char> clashed;
 
-  void at(Index dof, std::optional<double> value, const model::SupportData& support, Point place) {
-    const bool clash = constraints.value[dof] != value.value_or(0);
-    if (constraints.held[dof] && clash && !clashed[dof]) {
+  void at(Index dof, std::optional<double> value, const model::StageData& stage, int support, Point place) {
+    model::Constraints& c = constraints;
+    const bool clash = value && c.at_value[dof] && c.value[dof] != *value;
+    if (clash && !clashed[dof]) {
       clashed[dof] = 1;
-      mistakes.add(support.place, "the point (" + core::format_quantity(place.x, {1, 0, 0}) + ", " +
-                                      core::format_quantity(place.y, {1, 0, 0}) +
-                                      ") is held at two different displacements");
+      mistakes.add(stage.supports[support].place, "the point (" + core::format_quantity(place.x, {1, 0, 0}) +
+                                                      ", " + core::format_quantity(place.y, {1, 0, 0}) +
+                                                      ") is held at two different displacements");
     }
-    constraints.in_place[dof] = !value && (!constraints.held[dof] || constraints.in_place[dof]);
-    constraints.held[dof] = 1;
-    constraints.value[dof] = value.value_or(0);
+    if (!c.held[dof]) c.support[dof] = support;
+    c.held[dof] = 1;
+    if (value) {
+      c.at_value[dof] = 1;
+      c.value[dof] = *value;
+    } else {
+      c.in_place[dof] = 1;
+    }
   }
 };
 
@@ -83,21 +102,24 @@ model::Constraints build_constraints(const model::Model& model, const model::Sta
   constraints.held.assign(size, 0);
   constraints.value.assign(size, 0);
   constraints.in_place.assign(size, 0);
+  constraints.at_value.assign(size, 0);
+  constraints.support.assign(size, -1);
   Hold hold{constraints, mistakes, std::vector<char>(size)};
-  for (const auto& support : stage.supports) {
+  for (int s = 0; s < static_cast<int>(stage.supports.size()); ++s) {
+    const model::SupportData& support = stage.supports[s];
     const Held held = find_held(model, support, mistakes);
     for (int c = 0; c < 2; ++c) {
       if (!support.move[c]) continue;
       for (const Index point : held.points) {
         const Point at = model.mesh.points[point];
-        hold.at(model.dofs.of_point(point) + c, moved_to(*support.move[c], at), support, at);
+        hold.at(model.dofs.of_point(point) + c, moved_to(*support.move[c], at), stage, s, at);
       }
       for (const Index edge : held.edges)
         for (int k = 0; k < model.dofs.field().per_edge; ++k) {
           const auto [from, to] = model.mesh.edge_points[edge];
           const double t = (k + 1.0) / (model.dofs.field().per_edge + 1);
           const Point at = (1 - t) * model.mesh.points[from] + t * model.mesh.points[to];
-          hold.at(model.dofs.of_edge(edge, k) + c, moved_to(*support.move[c], at), support, at);
+          hold.at(model.dofs.of_edge(edge, k) + c, moved_to(*support.move[c], at), stage, s, at);
         }
     }
   }

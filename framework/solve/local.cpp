@@ -128,7 +128,7 @@ std::string name_cycle(const LocalTerms& terms, const fields::State& state,
     if (now[p] == before[p]) continue;
     if (++count <= 4) names += (names.empty() ? "" : ", ") + terms.point_name(p, state);
   }
-  return "the contact status repeats itself without settling; " + std::to_string(count) +
+  return "the status of joints repeats itself without settling; " + std::to_string(count) +
          " points flip: " + names + (count > 4 ? " …" : "");
 }
 
@@ -141,20 +141,18 @@ LocalResult iterate(const LocalTerms& terms, const Eigen::MatrixXd& schur, const
     const std::vector<std::int8_t> before = terms.status(state);
     if (!visited.insert(before).second) {
       terms.update_status(state, u);
-      return {false, name_cycle(terms, state, before)};
+      return {false, false, name_cycle(terms, state, before)};
     }
     const double residual = solve_fixed_status(terms, schur, load, state, u);
-    if (residual < 0)
-      return {false,
-              "contact alone does not hold a body that it must hold: with the points that are closed now, it "
-              "can move freely"};
+    if (residual < 0) return {false, true, "the joints do not hold a body that nothing else holds"};
     const int changed = terms.update_status(state, u);
     model::Iteration row{1, number, residual, {{"changed", changed}}};
     for (auto& fact : terms.facts(state, u)) row.facts.push_back(std::move(fact));
     rows.push_back(std::move(row));
-    if (changed == 0) return {true, {}};
+    if (changed == 0) return {true, false, {}};
   }
-  return {false, "the contact status still changes after " + std::to_string(most_statuses) + " iterations"};
+  return {false, false,
+          "the status of joints still changes after " + std::to_string(most_statuses) + " iterations"};
 }
 
 }  // namespace ashlar::solve

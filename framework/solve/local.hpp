@@ -44,6 +44,7 @@ class LocalTerms {
 
 struct LocalResult {
   bool converged = false;
+  bool singular = false;  ///< a body is free to move in the present status
   std::string reason;
 };
 

@@ -6,6 +6,7 @@
 
 #include "core/ledger.hpp"
 #include "core/log.hpp"
+#include "model/place.hpp"
 #include "solve/advance.hpp"
 #include "solve/build.hpp"
 #include "solve/stage_results.hpp"
@@ -16,6 +17,14 @@ namespace {
 
 // Halving a stage this often makes steps of 1/64; a contact that still does not settle will not.
 constexpr int most_cuts = 6;
+
+// Loads and reactions of a solved stage agree to round-off, some 1e-14; this is far off.
+constexpr double poor_balance = 1e-8;
+
+// Forces below this share of ‖K‖ ‖u‖ are next to nothing: a balance of them says nothing.
+constexpr double negligible = 1e-8;
+// Displacements beyond this share of the model's size turn and stretch it visibly.
+constexpr double large_share = 0.02;
 
 /// Everything of one stage that can be made before anything is solved.
 struct Prepared {
@@ -67,6 +76,8 @@ class March {
       ready.load.assign(in_.model.dofs.size(), 0);
       for (const auto& load : ready.terms.loads) load->add_force(ready.load);
     }
+    for (const model::ProbeData& probe : in_.scene.probes)
+      probe_points_.push_back(model::point_at(in_.model.mesh, {probe.at, probe.lip, probe.place}, mistakes));
     mistakes.throw_if_any();
   }
 
@@ -115,6 +126,7 @@ class March {
   bool step_through(const Bulk& bulk, const LocalTerms& local, const Prepared& ready, const Ended& start,
                     model::StageResult& result) {
     const auto from = start.state.committed(displacement);
+    if (!agrees(ready.constraints, from, result)) return false;
     double reached = 0, size = 1;
     int step = 1;
     std::vector<double> load(ready.load.size()), prescribed(ready.load.size());
@@ -122,7 +134,7 @@ class March {
       const double to = std::min(1.0, reached + size);
       for (std::size_t dof = 0; dof < load.size(); ++dof) {
         load[dof] = to == 1 ? ready.load[dof] : start.load[dof] + to * (ready.load[dof] - start.load[dof]);
-        const double end = ready.constraints.in_place[dof] ? from[dof] : ready.constraints.value[dof];
+        const double end = ready.constraints.at_value[dof] ? ready.constraints.value[dof] : from[dof];
         prescribed[dof] = to == 1 ? end : from[dof] + to * (end - from[dof]);
       }
       const StepReport report = advance(bulk, local, ready.constraints, {load, prescribed}, state_);
@@ -141,9 +153,10 @@ class March {
       }
       state_.revert();
       size /= 2;
-      if (local.empty() || size < std::ldexp(1.0, -most_cuts)) {
+      if (local.empty() || report.singular || size < std::ldexp(1.0, -most_cuts)) {
         result.converged = false;
         result.reason = report.reason;
+        if (report.singular) result.reason += loose_bodies(in_.model, in_.scene, ready.constraints);
         if (reached > 0)
           result.reason +=
               " (reached " + std::to_string(static_cast<int>(100 * reached)) + " % of the stage)";
@@ -154,15 +167,45 @@ class March {
     return true;
   }
 
+  /// False if a point is held where it is and, by another support, somewhere else.
+  bool agrees(const model::Constraints& constraints, std::span<const double> from,
+              model::StageResult& result) const {
+    for (Index dof = 0; dof < in_.model.dofs.size(); ++dof) {
+      if (!constraints.in_place[dof] || !constraints.at_value[dof]) continue;
+      // Both say the same if they differ by round-off of displacements at hand.
+      if (std::abs(from[dof] - constraints.value[dof]) <= 1e-12 * std::abs(from[dof])) continue;
+      const mesh::Mesh& mesh = in_.model.mesh;
+      const geometry::Point at = mesh.points[std::min(dof / 2, mesh.point_count() - 1)];
+      result.converged = false;
+      result.reason = "the point (" + core::format_quantity(at.x, {1, 0, 0}) + ", " +
+                      core::format_quantity(at.y, {1, 0, 0}) + ") is fixed where it is, displaced by " +
+                      core::format_quantity(from[dof], {1, 0, 0}) + ", and by another support held at " +
+                      core::format_quantity(constraints.value[dof], {1, 0, 0});
+      return false;
+    }
+    return true;
+  }
+
   void finish(std::size_t s, const Bulk& bulk, const LocalTerms& local, model::StageResult& result) {
     const auto timing = core::ledger().time("recover");
     const Prepared& ready = prepared_[s];
     for (const auto& term : ready.terms.stiffness) term->add_results(state_, result);
     for (const auto& term : ready.terms.local) term->add_results(state_, result);
     for (const auto& term : ready.terms.loads) term->add_results(state_, result);
+    double largest = 0;
+    for (const double u : state_.committed(displacement)) largest = std::max(largest, std::abs(u));
+    if (largest > large_share * in_.model.length)
+      core::log().warning("stage '" + result.name + "': displacements reach " +
+                          core::format_quantity(largest, {1, 0, 0}) + ", " +
+                          std::to_string(static_cast<int>(100 * largest / in_.model.length)) +
+                          " % of the model: small-displacement theory, which is used, no longer holds");
     const std::vector<double> forces = out_of_balance(bulk, local, ready.load, state_);
-    result.balance = balance(in_.model, in_.scene.stages[s], {ready.terms, ready.constraints, forces});
-    add_probes(in_.scene, in_.model, result);
+    result.balance = balance(in_.model, in_.scene.stages[s],
+                             {ready.terms, ready.constraints, forces, negligible * bulk.norm() * largest});
+    add_probes(in_.scene, in_.model, probe_points_, result);
+    if (result.balance.relative_error > poor_balance)
+      core::log().warning("stage '" + result.name + "': loads and reactions differ by " +
+                          std::to_string(100 * result.balance.relative_error) + " %");
     add_extremes(in_.model, result);
     ended_.push_back({state_, ready.load});
     drop_unneeded(s);
@@ -183,6 +226,7 @@ class March {
   fields::State state_;
   std::vector<Prepared> prepared_;
   std::vector<Ended> ended_;
+  std::vector<Index> probe_points_;
   std::optional<Bulk> bulk_;
 };
 

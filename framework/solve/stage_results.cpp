@@ -13,40 +13,19 @@ using model::FieldResult;
 
 namespace {
 
-/// Adds a nodal force at a dof; only dofs of points have a place and thus a moment.
-void add_force(const model::Model& model, Index dof, double force, model::Resultant& sum) {
+/// The resultant of a nodal force at a dof; only dofs of points have a place and thus a moment.
+model::Resultant nodal_force(const model::Model& model, Index dof, double force, Point about) {
   const int width = model.dofs.field().width;
   const Index point = dof / width;
-  const bool along_x = dof % width == 0;
-  (along_x ? sum.x : sum.y) += force;
-  if (point < model.mesh.point_count()) {
-    const Point at = model.mesh.points[point];
-    sum.moment += along_x ? -at.y * force : at.x * force;
-  }
+  const Point arm = point < model.mesh.point_count() ? model.mesh.points[point] - about : Point{};
+  if (dof % width == 0) return {force, 0, -arm.y * force};
+  return {0, force, arm.x * force};
 }
 
 void add(model::Resultant& sum, const model::Resultant& part) {
   sum.x += part.x;
   sum.y += part.y;
   sum.moment += part.moment;
-}
-
-/// Which support holds each point's component; the first one that names it.
-std::vector<int> supports_by_dof(const model::Model& model, const model::StageData& stage) {
-  std::vector<int> support(model.dofs.size(), -1);
-  const auto claim = [&](Index point, std::size_t s) {
-    for (int c = 0; c < 2; ++c) {
-      int& owner = support[model.dofs.of_point(point) + c];
-      if (stage.supports[s].move[c] && owner < 0) owner = static_cast<int>(s);
-    }
-  };
-  for (std::size_t s = 0; s < stage.supports.size(); ++s) {
-    const auto group = model.mesh.edge_groups.find(stage.supports[s].edge);
-    if (group == model.mesh.edge_groups.end()) continue;
-    for (const Index edge : group->second)
-      for (const Index point : model.mesh.edge_points[edge]) claim(point, s);
-  }
-  return support;
 }
 
 /// "ux" for the displacement; "sxx" for nodal stresses, "s1" for nodal principal stresses.
@@ -57,10 +36,6 @@ std::string component_name(const FieldResult& field, int component) {
   if (field.name.starts_with("strain")) return "e" + part;
   return field.width == 1 ? field.name : field.name + "_" + part;
 }
-
-}  // namespace
-
-namespace {
 
 /// "stress" asks for the nodal field too, which bears the word with "_nodes".
 bool asked_for(const model::ProbeData& probe, const std::string& field) {
@@ -73,43 +48,47 @@ bool asked_for(const model::ProbeData& probe, const std::string& field) {
 model::Balance balance(const model::Model& model, const model::StageData& stage, const StageForces& forces) {
   model::Balance sums;
   double absolute = 0;
+  // The error is summed about a point of the body: moments about a far origin would drown it in round-off.
+  const Point inside = model.mesh.points.front();
+  model::Resultant left;
   for (const auto& load : forces.terms.loads) {
     std::vector<double> force(model.dofs.size());
     load->add_force(force);
     model::Resultant resultant;
     for (Index dof = 0; dof < model.dofs.size(); ++dof) {
       if (force[dof] == 0) continue;
-      add_force(model, dof, force[dof], resultant);
+      add(resultant, nodal_force(model, dof, force[dof], {}));
+      add(left, nodal_force(model, dof, force[dof], inside));
       absolute += std::abs(force[dof]);
     }
     add(sums.load, resultant);
     sums.loads.emplace_back(load->effect(), resultant);
   }
-  const std::vector<int> support = supports_by_dof(model, stage);
-  std::vector<model::Resultant> reactions(stage.supports.size() + 1);
+  std::vector<model::Resultant> reactions(stage.supports.size());
   double reaction_absolute = 0;
   for (Index dof = 0; dof < model.dofs.size(); ++dof) {
     if (!forces.constraints.held[dof]) continue;
-    const int owner = support[dof] < 0 ? static_cast<int>(stage.supports.size()) : support[dof];
-    add_force(model, dof, forces.out_of_balance[dof], reactions[owner]);
+    const double reaction = forces.out_of_balance[dof];
+    add(reactions[forces.constraints.support[dof]], nodal_force(model, dof, reaction, {}));
+    add(left, nodal_force(model, dof, reaction, inside));
     reaction_absolute += std::abs(forces.out_of_balance[dof]);
   }
   for (std::size_t s = 0; s < reactions.size(); ++s) {
     const model::Resultant& each = reactions[s];
     if (each.x == 0 && each.y == 0) continue;
     add(sums.reaction, each);
-    sums.reactions.emplace_back(s < stage.supports.size() ? stage.supports[s].name : "points", each);
+    sums.reactions.emplace_back(stage.supports[s].name, each);
   }
-  const double scale = std::max({absolute, reaction_absolute, 1e-300});
-  const double moment = std::abs(sums.load.moment + sums.reaction.moment) / model.length;
-  sums.relative_error =
-      std::max(std::hypot(sums.load.x + sums.reaction.x, sums.load.y + sums.reaction.y), moment) / scale;
+  const double scale = std::max({absolute, reaction_absolute, forces.round_off_scale, 1e-300});
+  sums.relative_error = std::max(std::hypot(left.x, left.y), std::abs(left.moment) / model.length) / scale;
   return sums;
 }
 
-void add_probes(const model::Scene& scene, const model::Model& model, model::StageResult& result) {
-  for (const auto& probe : scene.probes) {
-    const Index point = mesh::nearest_point(model.mesh, probe.at, probe.lip);
+void add_probes(const model::Scene& scene, const model::Model& model, std::span<const Index> points,
+                model::StageResult& result) {
+  for (std::size_t p = 0; p < scene.probes.size(); ++p) {
+    const model::ProbeData& probe = scene.probes[p];
+    const Index point = points[p];
     model::ProbeResult found{probe.name, probe.at, model.mesh.points[point], {}};
     for (const FieldResult& field : result.fields) {
       if (field.on != FieldResult::On::points || !asked_for(probe, field.name)) continue;

@@ -11,13 +11,15 @@ struct StageForces {
   const model::Terms& terms;
   const model::Constraints& constraints;
   std::span<const double> out_of_balance;  ///< by dof: reactions in held dofs [N]
+  double round_off_scale;  ///< forces far below this are round-off of those inside the body [N]
 };
 
 /// Sums loads by effect and reactions by support.
 model::Balance balance(const model::Model& model, const model::StageData& stage, const StageForces& forces);
 
-/// Values of the point fields in `result` at the scene's probes.
-void add_probes(const model::Scene& scene, const model::Model& model, model::StageResult& result);
+/// Values of the point fields in `result` at the scene's probes; `points` are their mesh points.
+void add_probes(const model::Scene& scene, const model::Model& model, std::span<const geometry::Index> points,
+                model::StageResult& result);
 
 /// Least and greatest value of every component of every field in `result`, with their places.
 void add_extremes(const model::Model& model, model::StageResult& result);

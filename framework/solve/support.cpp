@@ -103,4 +103,16 @@ void check_support(const model::Model& model, const model::Scene& scene, const m
   }
 }
 
+std::string loose_bodies(const model::Model& model, const model::Scene& scene,
+                         const model::Constraints& constraints) {
+  std::string words;
+  for (const Body& body : find_bodies(model, constraints)) {
+    const std::string motions = free_motions(body, model.length);
+    if (motions.empty()) continue;
+    words += (words.empty() ? ": without them '" : "; '") +
+             scene.regions[model.mesh.cell_region[body.first_cell]].name + "' can " + motions;
+  }
+  return words;
+}
+
 }  // namespace ashlar::solve

@@ -15,6 +15,8 @@ std::string at_text(Point p) {
   return "(" + core::format_quantity(p.x, {}) + ", " + core::format_quantity(p.y, {}) + ")";
 }
 
+constexpr core::Dimension pascal{-1, 1, -2};
+
 /// A number, or a function called at points; nothing counts as 0.
 class PointValue {
  public:
@@ -25,12 +27,10 @@ class PointValue {
   double operator()(Point p) const {
     if (!function_) return constant_;
     const double arguments[] = {p.x, p.y};
-    const std::vector<double> values = function_->call(arguments);
-    if (values.size() == 1 && std::isfinite(values[0])) return values[0];
-    const std::string got =
-        values.size() == 1 ? "a number that is not finite" : std::to_string(values.size()) + " numbers";
+    const double value = function_->number(arguments, pascal);
+    if (std::isfinite(value)) return value;
     throw core::InputError(core::Mistake{
-        place_, "the function must return one finite number, got " + got + " at " + at_text(p), {}});
+        place_, "the function must return a finite number, but it is not finite at " + at_text(p), {}});
   }
 
  private:

@@ -66,7 +66,8 @@ void Loads::contribute(const model::StageContext& context, model::Terms& terms) 
   const core::Settings& stage = context.stage.settings;
   try {
     add_edge_loads(context, force);
-    for (const auto& [name, said] : stage.objects("forces")) add_force(said, context.model, force);
+    for (const auto& [name, said] : stage.objects("forces"))
+      add_force(said, context.model, force, context.mistakes);
     for (const auto& [name, said] : stage.objects("couples"))
       add_couple(said, context.model, force, context.mistakes);
   } catch (const core::InputError& error) {

@@ -1,40 +1,18 @@
 #include "loads/point_loads.hpp"
 
-#include <algorithm>
-
-#include "core/log.hpp"
+#include "model/place.hpp"
 
 namespace ashlar::loads {
-
-namespace {
 
 using geometry::Index;
 using geometry::Point;
 
-/// The longest edge at a point [m].
-double edge_length(const mesh::Mesh& mesh, Index point) {
-  double longest = 0;
-  for (const auto& [from, to] : mesh.edge_points)
-    if (from == point || to == point)
-      longest = std::max(longest, geometry::distance(mesh.points[from], mesh.points[to]));
-  return longest;
-}
-
-Index point_at(const model::Model& model, Point at, const core::Place& place, const std::string& lip = {}) {
-  const Index point = mesh::nearest_point(model.mesh, at, lip);
-  const double away = geometry::distance(at, model.mesh.points[point]);
-  if (away > edge_length(model.mesh, point))
-    core::log().warning(core::to_string(place) + ": the nearest mesh point is " +
-                        core::format_quantity(away, {1, 0, 0}) +
-                        " away, outside the body or beyond a coarse mesh");
-  return point;
-}
-
-}  // namespace
-
-void add_force(const core::Settings& force, const model::Model& model, std::span<double> forces) {
+void add_force(const core::Settings& force, const model::Model& model, std::span<double> forces,
+               core::Mistakes& mistakes) {
   const auto [x, y] = force.point("at");
-  const Index point = point_at(model, {x, y}, force.place_of("at"), force.text("lip"));
+  const Index point =
+      model::point_at(model.mesh, {{x, y}, force.text("lip"), force.place_of("at")}, mistakes);
+  if (point < 0) return;
   const Index dof = model.dofs.of_point(point);
   forces[dof] += force.number("x", 0);
   forces[dof + 1] += force.number("y", 0);
@@ -47,7 +25,8 @@ void add_couple(const core::Settings& couple, const model::Model& model, std::sp
     const core::Value& place = couple.value("between").table()->items[end];
     const core::Table& pair = *place.table();
     const Point at{pair.items[0].quantity()->value, pair.items[1].quantity()->value};
-    point[end] = point_at(model, at, place.place);
+    point[end] = model::point_at(model.mesh, {at, {}, place.place}, mistakes);
+    if (point[end] < 0) return;
   }
   const Point arm = model.mesh.points[point[1]] - model.mesh.points[point[0]];
   const double square = geometry::dot(arm, arm);

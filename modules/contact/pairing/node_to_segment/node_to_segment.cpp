@@ -17,6 +17,8 @@ using mesh::LipEdge;
 
 // Round-off of coordinates relative to an edge: positions nearer than this are the same.
 constexpr double same_place = 1e-9;
+// Normals (as distance of unit vectors) within 30°: chords of a curve, not a corner of the joint.
+constexpr double smooth = 0.52;
 // Lips that face each other within 60°; others belong to another leg of the joint.
 constexpr double facing = -0.5;
 
@@ -115,17 +117,24 @@ bool same_jump(const ContactPoint& a, const ContactPoint& b) {
   if (a.shares.size() != b.shares.size()) return false;
   for (std::size_t i = 0; i < a.shares.size(); ++i)
     if (a.shares[i].point != b.shares[i].point || a.shares[i].factor != b.shares[i].factor) return false;
-  return geometry::distance(a.normal, b.normal) < same_place;
+  return geometry::distance(a.normal, b.normal) < smooth;
 }
 
-/// Both halves of a point on a straight lip are one contact point; at a corner they stay two.
+/// Both halves of a point on a straight or curved lip are one contact point; at a corner they stay two. On a
+/// curve its normal is that of both halves' pressure, L n = L₁ n₁ + L₂ n₂, so that a uniform pressure stays
+/// in balance.
 void append(std::vector<ContactPoint>& points, ContactPoint point) {
   if (points.empty() || !same_jump(points.back(), point)) {
     points.push_back(std::move(point));
     return;
   }
-  points.back().length += point.length;
-  points.back().modulus = std::min(points.back().modulus, point.modulus);
+  ContactPoint& one = points.back();
+  const Point along = one.length * one.tangent + point.length * point.tangent;
+  const Point across = one.length * one.normal + point.length * point.normal;
+  one.length = geometry::norm(across);
+  one.normal = (1 / geometry::norm(across)) * across;
+  one.tangent = (1 / geometry::norm(along)) * along;
+  one.modulus = std::min(one.modulus, point.modulus);
 }
 
 /// h, and the weights from the lengths.
