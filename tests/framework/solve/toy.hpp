@@ -38,7 +38,7 @@ inline model::Model square_model() {
 /// Springs between all pairs of points, of stiffness k along their lines: rigid motions cost nothing.
 class Springs : public model::Stiffness {
  public:
-  Springs(const model::Model& model, double stiffness) : Stiffness("springs"), model_(model) {
+  Springs(const model::Model& model, double stiffness) : Stiffness("springs") {
     std::vector<Index> dofs(8);
     for (Index i = 0; i < 8; ++i) dofs[i] = i;
     groups_.append(dofs);
@@ -72,7 +72,6 @@ class Springs : public model::Stiffness {
   const Eigen::Matrix<double, 8, 8>& matrix() const { return matrix_; }
 
  private:
-  const model::Model& model_;
   algebra::Adjacency groups_;
   Eigen::Matrix<double, 8, 8> matrix_;
 };
