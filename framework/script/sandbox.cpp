@@ -210,7 +210,7 @@ std::string constructor_word(lua_State* L, int index) {
   lua_pushvalue(L, index);
   lua_rawget(L, -2);
   const char* text = lua_tostring(L, -1);
-  const std::string word = text ? text : "";
+  std::string word = text ? text : "";
   lua_pop(L, 2);
   return word;
 }

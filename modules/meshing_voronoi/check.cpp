@@ -12,7 +12,7 @@ constexpr double area_tolerance = 1e-12;
 
 struct Step {
   Index from, to, face;
-  auto operator<=>(const Step&) const = default;
+  auto operator<=>(const Step&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 misreads it
 };
 
 // Edges of cells between border points, with the face of the cell on their left.
