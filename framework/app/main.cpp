@@ -1,6 +1,6 @@
 // The `ashlar` program: read the command line, do what it asks for, tell how it ended.
 
-#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -38,6 +38,9 @@ int tell_our_fault(const char* what) {
 }  // namespace
 
 int main(int count, char** words) {
+  // Numerical libraries that start threads of their own as they are opened hang at exit where memory is short
+  // (OpenBLAS 0.3.21), and those threads would never be used: loops over cells are the parallel ones.
+  setenv("OPENBLAS_NUM_THREADS", "1", 0);
   app::watch_for_interrupts();
   try {
     return act(app::read_command_line({words, static_cast<std::size_t>(count)}));

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -29,8 +30,12 @@ class Pool {
     for (std::thread& worker : workers_) worker.join();
     workers_.clear();
     leaving_ = false;
-    for (int i = 1; i < threads; ++i)
-      workers_.emplace_back([this, i, seen = generation_] { serve(static_cast<std::size_t>(i), seen); });
+    try {
+      for (int i = 1; i < threads; ++i)
+        workers_.emplace_back([this, i, seen = generation_] { serve(static_cast<std::size_t>(i), seen); });
+    } catch (const std::system_error&) {
+      // The system gives no more threads: those that there are do the work, with the same results.
+    }
   }
 
   void run(std::size_t count, std::size_t ranges, const std::function<void(std::size_t, std::size_t)>& body) {

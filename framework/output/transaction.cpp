@@ -55,13 +55,18 @@ void sync(const fs::path& path) {
 }
 
 // Many files are waited for at once, so that the file system's journal commits once and not a dozen times;
-// the threads do nothing but wait. What follows are renames, which come whole.
+// the threads do nothing but wait. Where the system gives no thread, one after the other is waited for. What
+// follows are renames, which come whole.
 void sync_all(const fs::path& folder, const std::vector<std::string>& names) {
   constexpr std::size_t at_once = 24;
+  constexpr auto either = std::launch::async | std::launch::deferred;
   for (std::size_t begin = 0; begin < names.size(); begin += at_once) {
     std::vector<std::future<void>> waiting;
-    for (std::size_t i = begin; i < std::min(names.size(), begin + at_once); ++i)
-      waiting.push_back(std::async(std::launch::async, [path = folder / names[i]] { sync(path); }));
+    for (std::size_t i = begin; i < std::min(names.size(), begin + at_once); ++i) {
+      // A name of its own, so that it is copied: a moved one is lost where the thread does not come.
+      const auto wait = [path = folder / names[i]] { sync(path); };
+      waiting.push_back(std::async(either, wait));
+    }
     for (std::future<void>& each : waiting) each.get();
   }
 }

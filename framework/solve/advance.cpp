@@ -52,6 +52,7 @@ LocalResult correct(const Bulk& bulk, const LocalTerms& local, const model::Cons
   for (double& r : right) r = -r;
   std::vector<double> change(right.size());
   LocalResult result{true, false, {}};
+  if (right.empty()) return result;
   if (local.empty()) {
     bulk.solver().solve(right, change);
   } else {

@@ -22,7 +22,8 @@ std::optional<double> cell_size(const model::Scene& scene, double area) {
     const core::Quantity* number = entry.value.quantity();
     if (entry.key == "cells" && number) take(std::sqrt(area / number->value));
     if (entry.key == "refine")
-      for (const auto& [name, refinement] : entry.objects) take(refinement.number("size"));
+      for (const auto& [name, refinement] : entry.objects)
+        if (refinement.has("size")) take(refinement.number("size"));
     if (entry.key != "size") continue;
     if (number) take(number->value);
     if (const core::Table* by_region = entry.value.table())

@@ -37,6 +37,11 @@ bool Bulk::serves(const std::vector<std::shared_ptr<const model::Stiffness>>& st
 }
 
 void Bulk::assemble_and_factor(const model::Model& model, const model::Constraints& constraints) {
+  if (constraints.unknowns() == 0) {
+    report_.done = true;
+    report_.ordering = "nothing: every displacement is given";
+    return;
+  }
   auto& ledger = core::ledger();
   algebra::SymmetricMatrix matrix;
   {

@@ -74,7 +74,8 @@ class VtuReader {
     if (x.size() % 3 != 0) cursor_.fail("points must have three coordinates each");
     for (std::size_t i = 0; i + 2 < x.size(); i += 3) contents_.points.push_back({x[i], x[i + 1], x[i + 2]});
     contents_.point_at.resize(contents_.points.size(), 0);
-    read_cells(piece, first, static_cast<double>(x.size() / 3) - 1);
+    const std::size_t points = x.size() / 3;
+    read_cells(piece, first, static_cast<double>(points) - 1);
   }
 
   void read_cells(const pugi::xml_node& piece, Index first, double last_point) {

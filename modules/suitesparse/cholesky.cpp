@@ -162,8 +162,9 @@ FactorReport Cholesky::factor(const SymmetricMatrix& matrix) {
   }
   const OneThread one_thread;
   cholmod_sparse a = view();
-  cholmod_factorize(&a, factor_.get(), common_);
-  if (common_->status == CHOLMOD_OUT_OF_MEMORY || common_->status == CHOLMOD_TOO_LARGE) {
+  const bool room = reserve_blas_memory();
+  if (room) cholmod_factorize(&a, factor_.get(), common_);
+  if (!room || common_->status == CHOLMOD_OUT_OF_MEMORY || common_->status == CHOLMOD_TOO_LARGE) {
     report.reason = "not enough memory to factor " + std::to_string(size()) + " unknowns";
     return report;
   }

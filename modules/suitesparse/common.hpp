@@ -41,4 +41,8 @@ class OneThread {
   int blas_threads_, levels_;
 };
 
+/// Makes OpenBLAS take the working memory that it then keeps. False if there is not enough: OpenBLAS would
+/// ask for it again and again, for ever (blas_memory_alloc of version 0.3.21).
+bool reserve_blas_memory();
+
 }  // namespace ashlar::suitesparse

@@ -97,6 +97,40 @@ TEST(endings, too_little_memory_is_code_1_and_leaves_earlier_results) {
   EXPECT_EQ(before == contents(folder.path()), true) << "earlier results were touched, or something was left";
 }
 
+// Whatever does not fit, the run ends by itself and says so.
+TEST(endings, no_limit_on_memory_makes_a_run_hang) {
+  const ScratchFolder folder;
+  write(folder / "scene.lua", weighed_block(20000));
+  for (const int megabytes : {100, 150, 200, 250, 300, 350, 400, 500, 700}) {
+    const std::string limit = "ulimit -v " + std::to_string(megabytes * 1000) + "; timeout -s KILL 60";
+    const Ran ran = run(folder / "scene.lua", folder / "out", "", limit);
+    EXPECT_LE(ran.code, 3) << megabytes << " MB";
+    const bool told = has(ran.err, "memory") || has(ran.err, "module suitesparse cannot be opened");
+    EXPECT_EQ(told, ran.code != 0) << megabytes << " MB, code " << ran.code << ": " << ran.err;
+  }
+}
+
+TEST(endings, a_body_whose_every_point_is_given_is_solved_without_a_solver) {
+  const ScratchFolder folder;
+  write(folder / "scene.lua", R"(
+local rock = material.elastic { E = 1e9, nu = 0.25, unit_weight = 24e3 }
+return Scene {
+  title = "All given", plane = "strain",
+  geometry = { block = Rectangle { from = {0,0}, to = {2,2}, material = rock } },
+  mesh = mesh.structured { size = 2 }, element = "vem",
+  supports = { ["block.bottom"] = "xy", ["block.top"] = { ux = 0, uy = -0.001 } },
+  stages = { Stage { "press", gravity = true } },
+  outputs = { pictures = false, probes = { top = { at = {0,2} } } },
+}
+)");
+  const Ran ran = run(folder / "scene.lua", folder / "out");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  // Uniaxial strain: σ_yy = −(λ + 2μ)·0.0005 = −6e5 Pa on 2 m, and half of the weight on either edge.
+  const auto& stage = ran.json.at("stages")[0];
+  EXPECT_NEAR(stage.at("probes").at("top").at("uy").get<double>(), -0.001, 1e-18);
+  EXPECT_NEAR(stage.at("balance").at("reaction").at("y").get<double>(), 96e3, 1e-6);
+}
+
 TEST(endings, an_endless_script_stops_at_ctrl_c) {
   const ScratchFolder folder;
   write(folder / "scene.lua", "print('ready') while true do end\n");

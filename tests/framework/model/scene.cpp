@@ -68,9 +68,9 @@ Value scene_with(Entries entries) {
                  {"mesh", word("squares")},
                  {"supports", made("", {}, {{"block.bottom", word("xy")}})},
                  {"stages", made("", {made("Stage", {word("first")})})}};
-  for (auto& [key, value] : entries) {
-    std::erase_if(all, [&](const auto& entry) { return entry.first == key; });
-    all.emplace_back(key, value);
+  for (auto& said : entries) {
+    std::erase_if(all, [&](const auto& entry) { return entry.first == said.first; });
+    all.push_back(said);
   }
   return made("Scene", {}, std::move(all));
 }

@@ -36,9 +36,9 @@ Said nothing() {
   return stage;
 }
 
-void set(Said& stage, const std::string& key, Settings::Entry entry) {
+void set(Said& stage, const std::string& key, const Settings::Entry& entry) {
   for (Settings::Entry& known : stage.settings.entries)
-    if (known.key == key) known = std::move(entry);
+    if (known.key == key) known = entry;
 }
 
 Settings pressure_on(const std::string& edge, core::Value p) {
