@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "app/host.hpp"
+#include "app/progress.hpp"
 #include "app/verbs.hpp"
 
 namespace ashlar::app {
@@ -23,6 +24,7 @@ std::string value_text(const core::Value& value) {
 }  // namespace
 
 int check(const CommandLine& line) {
+  show_log(line.quiet);
   const auto scenario = read_scenario(line);
   if (line.quiet) return done;
   const model::Scene& scene = scenario->scene;

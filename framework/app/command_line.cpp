@@ -106,7 +106,7 @@ std::string help_text() {
   ashlar check SCENE       report every mistake in a scene; nothing is computed
   ashlar plan SCENE        mesh a scene and say what would be simulated, what not, and at what size
   ashlar list [KIND]       what can be said in a script, by kind
-  ashlar describe WORD     keys, units, defaults and ranges of a kind, an entry or a word: mesh, mesh.voronoi, Polygon
+  ashlar describe WORD     keys, units, defaults, ranges of a kind, an entry or a word: mesh, mesh.voronoi, Polygon, units
 
 SCENE is a Lua file, or a folder with scene.lua in it.
 

@@ -1,9 +1,12 @@
 #include "app/host.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 
 #include "core/ledger.hpp"
+#include "model/scene_names.hpp"
 #include "model/support_check.hpp"
 #include "solve/build.hpp"
 
@@ -41,6 +44,7 @@ void check_scenario(Scenario& scenario, core::Mistakes& mistakes) {
   scenario.effects = model::make_effects(scenario.plan, scene, scenario.registry, mistakes);
   if (mistakes.empty()) model::check_places(scene, domain, mistakes);
   if (mistakes.empty()) model::check_support(scene, domain, mistakes);
+  if (mistakes.empty()) model::warn_of_held_loads(scene, scenario.registry);
 }
 
 /// What can be judged although other parts of the scene are wrong, so that one run reports as much as it can.
@@ -59,6 +63,28 @@ std::vector<fs::path> module_folders() {
 std::vector<fs::path> script_folders() {
   const auto named = folders_named_by("ASHLAR_SCRIPTS");
   return named.empty() ? beside_program({"../share/ashlar/scripts", "../scripts"}) : named;
+}
+
+std::vector<std::string> library_names() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const fs::path& folder : script_folders())
+    for (const auto& entry : fs::directory_iterator(folder, error))
+      if (entry.path().extension() == ".lua") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+std::string library_doc(const std::string& name) {
+  for (const fs::path& folder : script_folders()) {
+    std::ifstream file(folder / (name + ".lua"));
+    std::string text;
+    for (std::string line; std::getline(file, line) && line.starts_with("--");)
+      text += line.substr(line.starts_with("-- ") ? 3 : 2) + "\n";
+    if (!text.empty()) return text;
+  }
+  return {};
 }
 
 core::Registry make_registry() {

@@ -16,6 +16,11 @@ namespace ashlar::app {
 std::vector<std::filesystem::path> module_folders();
 std::vector<std::filesystem::path> script_folders();
 
+/// The names that `require` finds in the script library.
+std::vector<std::string> library_names();
+/// The comment that such a file begins with, without its dashes; empty if there is none.
+std::string library_doc(const std::string& name);
+
 /// The framework's kinds and those of all modules found. Opens no module's library.
 core::Registry make_registry();
 

@@ -30,6 +30,15 @@ void list_kind(const core::Registry& registry, const std::string& kind) {
   }
 }
 
+void list_library() {
+  std::cout << "library\n";
+  for (const std::string& name : library_names()) {
+    const std::string doc = library_doc(name);
+    std::cout << "  " << std::left << std::setw(28) << "require \"" + name + "\""
+              << first_sentence(doc.substr(0, doc.find('\n'))) << '\n';
+  }
+}
+
 }  // namespace
 
 int list(const CommandLine& line) {
@@ -37,11 +46,17 @@ int list(const CommandLine& line) {
   std::vector<std::string> kinds = registry.kinds();
   if (!line.words.empty()) {
     const std::string& kind = line.words.front();
+    if (kind == "library") return list_library(), done;
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
       fail("there is no kind '" + kind + "'", core::did_you_mean(kind, kinds));
     kinds = {kind};
   }
   for (const std::string& kind : kinds) list_kind(registry, kind);
+  if (line.words.empty()) {
+    list_library();
+    std::cout
+        << "in every script\n  param { … }, units: see `ashlar describe param` and `ashlar describe units`\n";
+  }
   return done;
 }
 

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/host.hpp"
+#include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "solve/build.hpp"
 
@@ -54,6 +55,7 @@ void tell_stage(const model::StagePlan& planned, const model::StageData& stage, 
 }  // namespace
 
 int plan(const CommandLine& line) {
+  show_log(line.quiet);
   const auto scenario = read_scenario(line);
   core::Mistakes mistakes;
   const model::Model model = solve::build_model(scenario->scene, scenario->registry, mistakes);

@@ -73,13 +73,24 @@ void write_json(const CommandLine& line, const output::RunRecord& record) {
   }
 }
 
+void tell_failure(const output::RunRecord& record, const std::vector<fs::path>& files) {
+  const model::RunResult& result = record.result;
+  const model::StageResult& failed = result.stages.back();
+  std::cerr << "Stage '" << failed.name << "' did not converge: " << failed.reason << '\n';
+  if (!failed.advice.empty()) std::cerr << "    what to try: " << failed.advice << '\n';
+  std::cerr << "    "
+            << (result.good().empty() ? "no stage before it was computed"
+                                      : "the last good stage is '" + result.good().back().name + "'");
+  if (!files.empty()) std::cerr << ": see " << files.front().parent_path().string();
+  std::cerr << "; results of earlier runs are untouched\n";
+}
+
 int conclude(const CommandLine& line, const output::RunRecord& record, const std::vector<fs::path>& files) {
   // With --json - the terminal belongs to the machine that reads it.
   std::ostream& out = line.json == "-" ? std::cerr : std::cout;
   if (!line.quiet) out << output::summary(record, files);
   if (record.result.converged) return done;
-  const model::StageResult& last = record.result.stages.back();
-  std::cerr << "Stage '" << last.name << "' did not converge: " << last.reason << '\n';
+  tell_failure(record, files);
   return not_converged;
 }
 
@@ -119,7 +130,11 @@ int run(const CommandLine& line) {
                            {},
                            1};
   add_provenance(line, scenario->script, record);
-  const std::vector<fs::path> files = output::write_results(record, out);
+  std::vector<fs::path> files;
+  {
+    const auto timing = core::ledger().time("write");
+    files = output::write_results(record, out);
+  }
   write_json(line, record);
   return conclude(line, record, files);
 }

@@ -1,9 +1,11 @@
 // Checking a table against a schema: see schema.hpp.
 
-#include <cctype>
+#include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "core/check_advice.hpp"
+#include "core/hints.hpp"
 #include "core/log.hpp"
 #include "core/registry.hpp"
 #include "core/schema.hpp"
@@ -14,18 +16,10 @@ namespace {
 
 constexpr int deepest = 64;  // objects in objects; a default that contains itself ends here
 
-// "N/m^3" → "units.N/units.m^3"
 std::string example(Dimension dimension) {
   if (dimension == Dimension{}) return "0.3, a pure number";
   const std::string si = to_string(dimension);
-  std::string text = si.starts_with("1/") ? "" : "2*";
-  for (std::size_t i = 0; i < si.size(); ++i) {
-    const bool starts = std::isalpha(static_cast<unsigned char>(si[i])) &&
-                        (i == 0 || !std::isalpha(static_cast<unsigned char>(si[i - 1])));
-    if (starts) text += "units.";
-    text += si[i];
-  }
-  return text;
+  return (si.starts_with("1/") ? "" : "2*") + unit_in_script(si, "units.");
 }
 
 std::string dimension_text(Dimension dimension) {
@@ -68,10 +62,13 @@ class Checker {
     std::vector<std::pair<std::string, Settings>> objects;
   };
 
-  void check_unknown(const Table& table, const Schema& schema, const Place& place);
+  bool any_unknown(const Table& table, const Schema& schema, const Place& place);
+  void check_alternative(const Table* table, const Alternative& alternative, const Schema& schema,
+                         const Place& place);
   void check_entry(const Table* table, const Parameter& parameter, Settings& settings);
   void check_items(const Table* table, const Parameter& parameter, Settings& settings);
   Checked check_value(const Value& value, const Parameter& parameter);
+  Checked check_form(const Value& value, const Parameter& parameter);
   Checked check_number(const Value& value, const Parameter& parameter);
   Checked check_text(const Value& value, const Parameter& parameter);
   Checked check_table(const Value& value, const Parameter& parameter);
@@ -80,7 +77,6 @@ class Checker {
   Checked make_object(const Value& value, const Schema& schema);
   Checked wrong_form(const Value& value, const Parameter& parameter);
   Checked no_such_entry(const Value& value, const std::string& word, const Parameter& parameter);
-  std::vector<std::string> words(const std::string& kind) const;
 
   const Registry& registry_;
   Mistakes& mistakes_;
@@ -101,24 +97,53 @@ Settings Checker::check_object(const Value& value, const Schema& schema) {
   const Table* table = value.table();
   if (!table && !value.text())
     mistakes_.add(value.place, "must be a table for " + schema.kind + ", got " + got(value));
-  if (table) check_unknown(*table, schema, value.place);
+  const bool unknown = table && any_unknown(*table, schema, value.place);
   for (const Parameter& parameter : schema.parameters)
     if (parameter.key.empty())
       check_items(table, parameter, settings);
     else
       check_entry(table, parameter, settings);
+  for (const Alternative& alternative : schema.alternatives)
+    if (!unknown) check_alternative(table, alternative, schema, value.place);
   --depth_;
   return settings;
 }
 
-void Checker::check_unknown(const Table& table, const Schema& schema, const Place& place) {
+bool Checker::any_unknown(const Table& table, const Schema& schema, const Place& place) {
   const std::vector<std::string> keys = schema.keys();
+  const std::size_t before = mistakes_.list().size();
   for (const auto& [key, value] : table.entries)
     if (key.empty() || !schema.find(key))
       mistakes_.add(value.place, "unknown key '" + key + "'", did_you_mean(key, keys));
   if (!table.items.empty() && !schema.find(""))
     mistakes_.add(table.items.front().place.line > 0 ? table.items.front().place : place,
                   "an item without a key: " + got(table.items.front()), did_you_mean("", keys));
+  return mistakes_.list().size() > before;
+}
+
+void Checker::check_alternative(const Table* table, const Alternative& alternative, const Schema& schema,
+                                const Place& place) {
+  std::vector<const Value*> said;
+  std::string words;
+  for (const std::string& key : alternative.keys)
+    if (const Value* value = table ? table->find(key) : nullptr) {
+      words += (said.empty() ? "" : " and ") + key;
+      said.push_back(value);
+    }
+  const int count = static_cast<int>(said.size());
+  if (count >= alternative.least && count <= alternative.most) return;
+  if (count > alternative.most) {
+    const auto last =
+        std::ranges::max_element(said, {}, [](const Value* value) { return value->place.line; });
+    mistakes_.add((*last)->place, words + (count == 2 ? " are both said" : " are all said"),
+                  "say " + to_string(alternative));
+    return;
+  }
+  mistakes_.add(
+      place,
+      "needs " + to_string(alternative) + (said.empty() ? ", got none of them" : ", got " + words + " only"),
+      "`ashlar describe " + (schema.constructor.empty() ? schema.kind : schema.constructor) +
+          "` tells what each means");
 }
 
 void Checker::check_entry(const Table* table, const Parameter& parameter, Settings& settings) {
@@ -164,7 +189,14 @@ void Checker::check_items(const Table* table, const Parameter& parameter, Settin
   settings.entries.push_back(std::move(entry));
 }
 
+// A value that is wrong keeps its place: its key may be wrong too, and is looked at later.
 Checker::Checked Checker::check_value(const Value& value, const Parameter& parameter) {
+  Checked checked = check_form(value, parameter);
+  checked.value.place = value.place;
+  return checked;
+}
+
+Checker::Checked Checker::check_form(const Value& value, const Parameter& parameter) {
   if (value.quantity()) return check_number(value, parameter);
   if (value.text()) return check_text(value, parameter);
   if (value.table()) return check_table(value, parameter);
@@ -216,7 +248,9 @@ Checker::Checked Checker::check_text(const Value& value, const Parameter& parame
                   did_you_mean(word, parameter.choices));
     return {};
   }
-  if (allows(parameter.forms, Form::object)) return no_such_entry(value, word, parameter);
+  // Kinds such as "stage" have one entry, and no words to choose from.
+  const bool choice = registry_.names(parameter.kind) != std::vector{parameter.kind};
+  if (allows(parameter.forms, Form::object) && choice) return no_such_entry(value, word, parameter);
   return wrong_form(value, parameter);
 }
 
@@ -237,11 +271,13 @@ Checker::Checked Checker::check_table(const Value& value, const Parameter& param
   if (allows(parameter.forms, Form::table)) return {value, {}, {}};
   // Where a kind has one entry only, its constructor may be left out.
   const std::vector<std::string> names = registry_.names(parameter.kind);
-  if (allows(parameter.forms, Form::object) && !lists && !maps && names.size() == 1)
+  const bool keyed = table.items.empty() || !lists;
+  if (allows(parameter.forms, Form::object) && keyed && !maps && names.size() == 1)
     return make_object(value, registry_.find(parameter.kind, names.front())->schema);
   if (lists && !maps) {
     mistakes_.add(table.entries.front().second.place,
-                  "a list takes no keys, got '" + table.entries.front().first + "'");
+                  "a list takes no keys, got '" + table.entries.front().first + "'",
+                  item_advice(parameter, registry_));
     return {};
   }
   if (maps && !lists) {
@@ -264,12 +300,7 @@ Checker::Checked Checker::check_tagged(const Value& value, const Parameter& para
 
 Checker::Checked Checker::check_all(const Value& value, const Parameter& parameter) {
   if (!parameter.each && parameter.kind.empty()) return {value, {}, {}};
-  Parameter each;
-  if (parameter.each)
-    each = *parameter.each;
-  else
-    each.forms = static_cast<unsigned>(Form::object);
-  if (each.kind.empty()) each.kind = parameter.kind;
+  const Parameter each = item_of(parameter);
   Checked result;
   Table table = *value.table();
   auto check_one = [&](const std::string& name, Value& item) {
@@ -288,9 +319,8 @@ Checker::Checked Checker::make_object(const Value& value, const Schema& schema) 
 }
 
 Checker::Checked Checker::wrong_form(const Value& value, const Parameter& parameter) {
-  std::string advice;
-  if (allows(parameter.forms, Form::object)) advice = did_you_mean("", words(parameter.kind));
-  mistakes_.add(value.place, "must be " + forms_text(parameter) + ", got " + got(value), advice);
+  mistakes_.add(value.place, "must be " + forms_text(parameter) + ", got " + got(value),
+                form_advice(value, parameter, registry_));
   return {};
 }
 
@@ -301,19 +331,9 @@ Checker::Checked Checker::no_such_entry(const Value& value, const std::string& w
                   "no module provides the kind '" + parameter.kind + "', asked for by '" + word + "'",
                   "is the module missing from the modules folder?");
   else
-    mistakes_.add(
-        value.place, "there is no " + parameter.kind + " '" + word + "'",
-        did_you_mean(word, value.table() ? words(parameter.kind) : registry_.names(parameter.kind)));
+    mistakes_.add(value.place, "there is no " + parameter.kind + " '" + word + "'",
+                  entry_advice(value, word, parameter.kind, registry_));
   return {};
-}
-
-std::vector<std::string> Checker::words(const std::string& kind) const {
-  std::vector<std::string> list;
-  for (const std::string& name : registry_.names(kind)) {
-    const Schema& schema = registry_.find(kind, name)->schema;
-    list.push_back(schema.constructor.empty() ? name : schema.constructor);
-  }
-  return list;
 }
 
 }  // namespace
@@ -337,6 +357,7 @@ Settings check(const Value& value, const Schema& schema, const Registry& registr
 }
 
 std::optional<double> read_number(const Value& value, Dimension dimension, Mistakes& mistakes) {
+  if (value.is_nothing()) return {};  // reported where it became nothing
   const Quantity* quantity = value.quantity();
   if (!quantity) {
     mistakes.add(value.place, "must be a number, got " + got(value));

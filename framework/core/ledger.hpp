@@ -8,7 +8,8 @@
 namespace ashlar::core {
 
 struct Cost {
-  /// read, check, mesh, prepare, assemble, order, factor, solve, iterate, recover
+  /// read, check, mesh, prepare, assemble, order, factor, solve, iterate, recover, write (0 in
+  /// results.h5, which is written meanwhile)
   std::string phase;
   std::string effect;  ///< elasticity, contact, gravity …; "" for none
   double wall = 0;     ///< s

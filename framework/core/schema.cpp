@@ -45,9 +45,14 @@ bool Settings::said(const std::string& key) const {
   return entry(key).said;
 }
 
-const Settings::Entry& Settings::entry(const std::string& key) const {
+const Settings::Entry* Settings::find(const std::string& key) const {
   for (const Entry& entry : entries)
-    if (entry.key == key) return entry;
+    if (entry.key == key) return &entry;
+  return nullptr;
+}
+
+const Settings::Entry& Settings::entry(const std::string& key) const {
+  if (const Entry* found = find(key)) return *found;
   assert(!"the schema has no such key");
   static const Entry missing{};
   return missing;
@@ -119,6 +124,16 @@ std::string object_text(const Parameter& parameter) {
   return (vowel ? "an " : "a ") + parameter.kind;
 }
 
+std::string choices_text(const Parameter& parameter) {
+  std::string text;
+  for (std::size_t i = 0; i < parameter.choices.size(); ++i)
+    text += (i == 0                              ? "\""
+             : i + 1 == parameter.choices.size() ? " or \""
+                                                 : ", \"") +
+            parameter.choices[i] + "\"";
+  return text;
+}
+
 std::string items_text(const Parameter& parameter, const char* word) {
   return parameter.each ? std::string(word) + " of: " + forms_text(*parameter.each) : word;
 }
@@ -133,7 +148,7 @@ std::string forms_text(const Parameter& parameter) {
   add(Form::boolean, "true or false");
   add(Form::number, number_text(parameter, "a number"));
   add(Form::integer, "a whole number");
-  add(Form::text, "a text");
+  add(Form::text, parameter.choices.empty() ? "a text" : choices_text(parameter));
   const bool pair =
       parameter.each && !allows(parameter.forms, Form::list) && !allows(parameter.forms, Form::map);
   add(Form::point,
@@ -145,6 +160,17 @@ std::string forms_text(const Parameter& parameter) {
   add(Form::map, items_text(parameter, "a table of names"));
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? "" : " or ") + words[i];
+  return text;
+}
+
+std::string to_string(const Alternative& alternative) {
+  const auto& [keys, least, most] = alternative;
+  const bool all = most >= static_cast<int>(keys.size());
+  std::string text = least == most ? "exactly " : all ? "at least " : "at most ";
+  const int count = all ? least : most;
+  text += (count == 1 ? "one" : std::to_string(count)) + " of ";
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == keys.size() ? " and " : ", ") + keys[i];
   return text;
 }
 
@@ -184,10 +210,6 @@ void describe_parameter(const Parameter& parameter, std::ostream& out) {
     out << "      must be " << to_string(parameter.range, parameter.dimension) << '\n';
   if (!parameter.usual.unbounded())
     out << "      usually " << to_string(parameter.usual, parameter.dimension) << '\n';
-  if (parameter.choices.empty()) return;
-  out << "      one of:";
-  for (const std::string& choice : parameter.choices) out << ' ' << choice;
-  out << '\n';
 }
 
 }  // namespace
@@ -200,6 +222,8 @@ std::string describe(const Schema& schema) {
   out << '\n';
   if (!schema.doc.empty()) out << schema.doc << '\n';
   for (const Parameter& parameter : schema.parameters) describe_parameter(parameter, out);
+  for (const Alternative& alternative : schema.alternatives)
+    out << "  say " << to_string(alternative) << '\n';
   return out.str();
 }
 

@@ -58,12 +58,21 @@ struct Parameter {
   Range usual;                       ///< outside: a warning ("did you forget a unit?")
   std::vector<std::string> choices;  ///< allowed words, if not empty
   std::string refers;  ///< the word (or the map's keys) names an "edge", "region", "joint", "lip", "probe"
-                       ///< or "stage" of the scene
+                       ///< or "stage" of the scene, or a "file" that must be there (from the script's folder)
   std::string kind;    ///< for objects (and objects inside lists and maps): the registered kind
   std::shared_ptr<const Parameter> each;  ///< what every item of a list, map or point must be
   bool numerical = false;                 ///< a numerical knob: its default is logged
   std::string doc;
 };
+
+/// Keys that say the same thing in different ways: from `least` to `most` of them may be said.
+struct Alternative {
+  std::vector<std::string> keys;
+  int least = 1, most = 1;
+};
+
+/// "exactly one of size and cells", "at most one of factor and stiffness".
+std::string to_string(const Alternative& alternative);
 
 /// The parameters of one registered entry, such as mesh.voronoi.
 struct Schema {
@@ -72,6 +81,7 @@ struct Schema {
   std::string constructor;  ///< the word in scripts: "mesh.voronoi", "Polygon"
   std::string doc;
   std::vector<Parameter> parameters;
+  std::vector<Alternative> alternatives = {};
   const Parameter* find(const std::string& key) const;
   std::vector<std::string> keys() const;
 };
@@ -105,6 +115,7 @@ class Settings {
 
   bool has(const std::string& key) const;  ///< it was said, or has a default
   bool said(const std::string& key) const;
+  const Entry* find(const std::string& key) const;   ///< null if there is no such entry
   const Entry& entry(const std::string& key) const;  ///< asserts that the schema has this key
   const Value& value(const std::string& key) const;
   double number(const std::string& key) const;
@@ -129,7 +140,8 @@ Settings check(const Value& value, const Schema& schema, const Registry& registr
 std::optional<std::pair<double, double>> read_point(const Value& value, Dimension dimension,
                                                     Mistakes& mistakes);
 
-/// One number of the given dimension; reports to `mistakes` and returns nothing if it is not one.
+/// One number of the given dimension; reports to `mistakes` and returns nothing if it is not one. A value
+/// that is nothing was reported where it became so.
 std::optional<double> read_number(const Value& value, Dimension dimension, Mistakes& mistakes);
 
 /// "a number (Pa) or a function": the forms a parameter takes.

@@ -18,6 +18,9 @@ Dimension operator*(Dimension a, Dimension b);
 Dimension operator/(Dimension a, Dimension b);
 Dimension power(Dimension a, int exponent);
 
+/// Standard gravity, CGPM 1901 [m/s²].
+constexpr double standard_gravity = 9.80665;
+
 /// One unit name that scripts may use: `units.GPa`.
 struct Unit {
   std::string name;

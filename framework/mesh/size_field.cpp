@@ -68,8 +68,10 @@ void SizeField::sample(const core::Function& function, const core::Place& place)
       if (result.size() != 1 || !(result[0] > 0) || !std::isfinite(result[0])) {
         core::Mistake mistake;
         mistake.place = place;
-        mistake.what = "the size must be one number above 0 m, but is not at (" + std::to_string(at[0]) +
-                       ", " + std::to_string(at[1]) + ")";
+        const std::string got = result.size() == 1 ? core::format_quantity(result[0], {1, 0, 0})
+                                                   : std::to_string(result.size()) + " values";
+        mistake.what = "the size must be one number above 0 m, but is " + got + " at (" +
+                       core::format_quantity(at[0], {}) + ", " + core::format_quantity(at[1], {}) + ")";
         throw core::InputError(mistake);
       }
       grid_.values.push_back(result[0]);

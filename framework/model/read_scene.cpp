@@ -96,8 +96,6 @@ JointData read_joint(const std::string& name, const Settings& joint, Mistakes& m
   mesh::JointLine& line = data.line;
   line.name = name;
   line.place = joint.place;
-  if (joint.said("path") == joint.said("between"))
-    mistakes.add(joint.place, "a joint needs either a path or the two regions it lies between");
   read_path(joint, line, mistakes);
   line.between = pair_of(joint, "between", mistakes);
   std::vector<std::string> sides = pair_of(joint, "sides", mistakes);
@@ -147,28 +145,38 @@ std::vector<ProbeData> read_probes(const Settings& root, Mistakes& mistakes) {
   return probes;
 }
 
-// What a schema cannot say of the keys that mesh::SizeField reads.
+// What a schema cannot say of a size by region, which mesh::SizeField reads.
 void check_sizes(const Scene& scene, Mistakes& mistakes) {
-  for (const Settings::Entry& entry : scene.mesh.entries) {
-    const core::Table* table = entry.value.table();
-    for (const RegionData& region : scene.regions)
-      if (entry.key == "size" && table && !table->find(region.name))
-        mistakes.add(entry.value.place, "region '" + region.name + "' has no size",
-                     "give one for every region");
-    for (const auto& [number, item] : entry.objects)
-      if (item.kind == "refinement" && item.said("at") + item.said("point") + item.said("joint") != 1)
-        mistakes.add(item.place, "a refinement needs exactly one of at, point and joint",
-                     "{ at = {x, y}, size = h, radius = r }");
-  }
+  const Settings::Entry* size = scene.mesh.find("size");
+  const core::Table* table = size ? size->value.table() : nullptr;
+  for (const RegionData& region : scene.regions)
+    if (table && !table->find(region.name))
+      mistakes.add(size->value.place, "region '" + region.name + "' has no size",
+                   "give one for every region");
 }
 
 // Materials do not count: regions can be arranged whatever they are made of.
-bool any_mistake_in_drawing(const Mistakes& mistakes) {
-  return std::any_of(mistakes.list().begin(), mistakes.list().end(), [](const core::Mistake& mistake) {
+bool any_mistake_in(const std::string& part, const Mistakes& mistakes) {
+  return std::any_of(mistakes.list().begin(), mistakes.list().end(), [&](const core::Mistake& mistake) {
     const std::string& path = mistake.place.path;
-    return path.starts_with("joints") ||
-           (path.starts_with("geometry") && path.find(".material") == std::string::npos);
+    return path.starts_with(part) && path.find(".material") == std::string::npos;
   });
+}
+
+// Parts that hold an undefined value are not whole, although their own place holds no mistake.
+bool is_whole_joint(const JointData& joint) {
+  const core::Table* path = joint.settings.value("path").table();
+  return path ? joint.line.path.size() == path->items.size() : joint.line.between.size() == 2;
+}
+
+bool can_be_arranged(const Scene& scene, const Mistakes& mistakes) {
+  const auto whole = [](const RegionData& region) {
+    return !region.mesh_group.empty() || is_whole(region.shape);
+  };
+  return std::all_of(scene.regions.begin(), scene.regions.end(), whole) &&
+         std::all_of(scene.joints.begin(), scene.joints.end(),
+                     [](const JointData& joint) { return is_whole_joint(joint); }) &&
+         !any_mistake_in("geometry", mistakes) && !any_mistake_in("joints", mistakes);
 }
 
 // A kind of which only one entry exists need not be said.
@@ -221,10 +229,10 @@ Scene read_scene(const core::Value& value, core::Registry& registry, Mistakes& m
   scene.probes = read_probes(root, mistakes);
   check_sizes(scene, mistakes);
   Names names = collect_names(scene);
-  names.edges_unknown = names.edges_unknown || !complete;
+  names.edges_unknown = names.edges_unknown || !complete || any_mistake_in("geometry", mistakes);
   read_stages(value, root, names, scene.stages, mistakes);
   check_names(root, registry, names, mistakes);
-  scene.drawn = complete && !any_mistake_in_drawing(mistakes);
+  scene.drawn = complete && can_be_arranged(scene, mistakes);
   return scene;
 }
 

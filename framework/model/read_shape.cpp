@@ -71,10 +71,6 @@ std::optional<geometry::Arc> read_arc(const Corner& corner, Point end, const cor
   const std::size_t before = mistakes.list().size();
   const Settings arc = core::check(*corner.arc, registry.find("arc", "arc")->schema, registry, mistakes);
   if (mistakes.list().size() > before) return {};
-  if (arc.has("center") == arc.has("through")) {
-    mistakes.add(corner.arc->place, "an arc needs either its center or a point it goes through");
-    return {};
-  }
   if (arc.has("through")) {
     const auto [x, y] = arc.point("through");
     const auto found = geometry::arc_through(corner.at, {x, y}, end);
@@ -130,8 +126,11 @@ std::vector<ShapeEdge> read_ring(const std::vector<Value>& items, const core::Pl
   const std::size_t before = mistakes.list().size();
   std::vector<Corner> corners;
   for (const Value& item : items)
-    if (const auto corner = read_corner(item, mistakes)) corners.push_back(*corner);
-  if (mistakes.list().size() > before) return {};
+    if (item.is_nothing())
+      return {};  // reported where it became nothing
+    else if (const auto corner = read_corner(item, mistakes))
+      corners.push_back(*corner);
+  if (corners.size() < items.size() || mistakes.list().size() > before) return {};
   const auto ends_at = [&](std::size_t i) { return corners[(i + 1) % corners.size()].at; };
   for (std::size_t i = 0; i < corners.size() && corners.size() > 1; ++i)
     if (corners[i].at == ends_at(i)) {
@@ -227,6 +226,13 @@ Shape read_shape(const Settings& region, const core::Registry& registry, Mistake
   if (region.name == "intersection")
     return read_operation(region, Shape::Kind::intersection, registry, mistakes);
   return {};
+}
+
+bool is_whole(const Shape& shape) {
+  if (shape.rings.empty() && shape.operands.empty()) return false;
+  return std::none_of(shape.rings.begin(), shape.rings.end(),
+                      [](const auto& ring) { return ring.empty(); }) &&
+         std::all_of(shape.operands.begin(), shape.operands.end(), is_whole);
 }
 
 std::vector<std::string> edge_names(const Shape& shape) {

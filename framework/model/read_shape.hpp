@@ -11,6 +11,9 @@ namespace ashlar::model {
 geometry::Shape read_shape(const core::Settings& region, const core::Registry& registry,
                            core::Mistakes& mistakes);
 
+/// False if a ring is missing or empty: part of the shape could not be read.
+bool is_whole(const geometry::Shape& shape);
+
 /// Names of all edges of a shape, in their order, each once.
 std::vector<std::string> edge_names(const geometry::Shape& shape);
 

@@ -71,7 +71,6 @@ SupportData read_support(const std::string& name, const Settings& support, const
   data.name = name;
   data.place = support.place;
   const int places = support.has("edge") + support.has("at") + support.has("box");
-  if (places > 1) mistakes.add(support.place, "say only one of edge, at and box");
   data.edge = support.text("edge");
   if (support.has("at")) {
     const auto [x, y] = support.point("at");
@@ -83,8 +82,6 @@ SupportData read_support(const std::string& name, const Settings& support, const
     check_name(name, "edge", support.place, names, mistakes);
   }
   read_movement(support, data, mistakes);
-  if (!support.said("fix") && !support.said("ux") && !support.said("uy"))
-    mistakes.add(support.place, "holds nothing: say fix, ux or uy");
   return data;
 }
 
@@ -178,8 +175,8 @@ std::vector<StageData> read_stage_names(const Settings& root, Mistakes& mistakes
                      "the other one is in line " + std::to_string(other.place.line));
     stages.push_back(std::move(stage));
   }
-  if (stages.empty() && root.said("stages"))
-    mistakes.add(root.place_of("stages"), "needs at least one stage");
+  const Table* said = root.value("stages").table();
+  if (said && said->items.empty()) mistakes.add(root.place_of("stages"), "needs at least one stage");
   return stages;
 }
 

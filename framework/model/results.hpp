@@ -2,6 +2,7 @@
 // What a run found, ready to be written: fields, joint profiles, probes, balance, iterations.
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -70,7 +71,8 @@ struct Iteration {
 struct StageResult {
   std::string name;
   bool converged = true;
-  std::string reason;  ///< if not
+  std::string reason;  ///< if not; it then has no fields, joints, probes, balance and extremes
+  std::string advice;  ///< if not: what to try
   std::vector<std::string> effects;
   std::vector<FieldResult> fields;
   std::vector<JointResult> joints;
@@ -85,8 +87,13 @@ struct StageResult {
 };
 
 struct RunResult {
-  std::vector<StageResult> stages;
+  std::vector<StageResult> stages;  ///< those that were begun; only the last one may have failed
   bool converged = true;
+
+  /// The stages that reached their end: those whose fields, joints and balance mean something.
+  std::span<const StageResult> good() const {
+    return {stages.data(), stages.size() - (stages.empty() || stages.back().converged ? 0 : 1)};
+  }
 };
 
 }  // namespace ashlar::model

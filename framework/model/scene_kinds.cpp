@@ -70,13 +70,13 @@ void add_shapes(core::Registry& registry) {
                              operands("shapes to be intersected")));
   registry.add_schema(region("mesh_group", "MeshGroup", "Cells of a physical group of the mesh file.",
                              {parameter("", Form::text, "the group's name; the region's own by default")}));
-  registry.add_schema(
-      {"arc",
-       "arc",
-       "Arc",
-       "A circular edge, from its corner to the next. Say its centre or one more point on it.",
-       {point("center", "centre; the shorter way round is meant"),
-        point("through", "a point on the arc, between its ends")}});
+  registry.add_schema({"arc",
+                       "arc",
+                       "Arc",
+                       "A circular edge, from its corner to the next.",
+                       {point("center", "centre; the shorter way round is meant"),
+                        point("through", "a point on the arc, between its ends")},
+                       {{{"center", "through"}}}});
 }
 
 Schema joint() {
@@ -99,7 +99,8 @@ Schema joint() {
        parameter("sides", Form::list,
                  "names of the lips, left of the path first. Default: left and right, or the two regions") |
            each(parameter("", Form::text, "")),
-       ends}};
+       ends},
+      {{{"path", "between"}}}};
 }
 
 Schema refinement() {
@@ -110,11 +111,12 @@ Schema refinement() {
       "refinement",
       "refinement",
       "",
-      "Where a mesh is finer. Exactly one of at, point and joint says near what.",
+      "Where a mesh is finer, and near what.",
       {point("at", "a place"), parameter("point", Form::text, "the place of this probe") | refers("probe"),
        parameter("joint", Form::text, "all of this joint") | refers("joint"),
        length("size", "wished size of cells there") | required(),
-       length("radius", "the size holds up to this distance; by default as far as the size")}};
+       length("radius", "the size holds up to this distance; by default as far as the size")},
+      {{{"at", "point", "joint"}}}};
 }
 
 Schema support() {
@@ -134,7 +136,8 @@ Schema support() {
        parameter("fix", Form::text, "components held where they are when the stage begins") |
            one_of({"x", "y", "xy"}),
        movement("ux", "prescribed displacement in x: a number or a function of (x, y)"),
-       movement("uy", "prescribed displacement in y: a number or a function of (x, y)")}};
+       movement("uy", "prescribed displacement in y: a number or a function of (x, y)")},
+      {{{"edge", "at", "box"}, 0, 1}, {{"fix", "ux", "uy"}, 1, 3}}};
 }
 
 Parameter supports(const char* doc) {

@@ -1,7 +1,11 @@
 #include "model/scene_names.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
 
+#include "core/log.hpp"
 #include "model/read_shape.hpp"
 
 namespace ashlar::model {
@@ -12,33 +16,54 @@ bool has(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-void check_texts(const core::Value& value, const std::string& what, const Names& names,
-                 core::Mistakes& mistakes) {
-  if (const std::string* word = value.text()) check_name(*word, what, value.place, names, mistakes);
+using Use = std::function<void(const NameUse&)>;
+
+void visit_texts(const core::Value& value, NameUse name, const Use& use) {
+  if (const std::string* word = value.text()) {
+    name.word = *word;
+    name.place = value.place;
+    use(name);
+  }
   const core::Table* table = value.table();
   if (!table) return;
-  for (const core::Value& item : table->items) check_texts(item, what, names, mistakes);
+  for (const core::Value& item : table->items) visit_texts(item, name, use);
 }
 
-void check_parameter(const core::Settings::Entry& entry, const core::Parameter& parameter, const Names& names,
-                     core::Mistakes& mistakes) {
+void visit_parameter(const core::Settings::Entry& entry, const core::Parameter& parameter,
+                     const std::string& kind, const Use& use) {
   const core::Table* table = entry.value.table();
   const bool keyed = table && !table->entries.empty() && table->constructor.empty();
   if (!parameter.refers.empty() && keyed) {
-    for (const auto& [key, item] : table->entries)
-      check_name(key, parameter.refers, item.place, names, mistakes);
+    for (const auto& [key, item] : table->entries) use({key, parameter.refers, kind, item.place});
   } else if (!parameter.refers.empty()) {
-    check_texts(entry.value, parameter.refers, names, mistakes);
+    visit_texts(entry.value, {{}, parameter.refers, kind, {}}, use);
   }
   if (!table || !parameter.each || parameter.each->refers.empty()) return;
-  for (const core::Value& item : table->items) check_texts(item, parameter.each->refers, names, mistakes);
-  for (const auto& [key, item] : table->entries) check_texts(item, parameter.each->refers, names, mistakes);
+  const NameUse name{{}, parameter.each->refers, kind, {}};
+  for (const core::Value& item : table->items) visit_texts(item, name, use);
+  for (const auto& [key, item] : table->entries) visit_texts(item, name, use);
+}
+
+// A relative path starts at the folder of the script that says it.
+void check_file(const std::string& word, const core::Place& place, core::Mistakes& mistakes) {
+  std::filesystem::path path = word;
+  if (path.is_relative()) path = std::filesystem::path(place.file).parent_path() / path;
+  std::error_code error;
+  const std::string name = "'" + path.string() + "'";
+  if (!std::filesystem::exists(path, error))
+    mistakes.add(place, "there is no file " + name,
+                 path.string() == word ? "" : "a relative path starts at the script's folder");
+  else if (!std::filesystem::is_regular_file(path, error))
+    mistakes.add(place, name + " is no regular file");
+  else if (!std::ifstream(path, std::ios::binary).good())
+    mistakes.add(place, name + " cannot be read", "may you read it?");
 }
 
 }  // namespace
 
 void check_name(const std::string& word, const std::string& what, const core::Place& place,
                 const Names& names, core::Mistakes& mistakes) {
+  if (what == "file") return check_file(word, place, mistakes);
   if (what == "edge" && names.edges_unknown) return;
   const auto found = names.known.find(what);
   const std::vector<std::string> valid =
@@ -54,15 +79,36 @@ void check_name(const std::string& word, const std::string& what, const core::Pl
   mistakes.add(place, problem, valid.empty() ? "the scene has none" : core::did_you_mean(word, valid));
 }
 
-void check_names(const core::Settings& settings, const core::Registry& registry, const Names& names,
-                 core::Mistakes& mistakes) {
+void visit_names(const core::Settings& settings, const core::Registry& registry, const Use& use) {
   const core::Registry::Entry* kind = registry.find(settings.kind, settings.name);
   for (const core::Settings::Entry& entry : settings.entries) {
     const core::Parameter* parameter = kind ? kind->schema.find(entry.key) : nullptr;
-    if (parameter) check_parameter(entry, *parameter, names, mistakes);
-    if (entry.object) check_names(*entry.object, registry, names, mistakes);
-    for (const auto& [name, object] : entry.objects) check_names(object, registry, names, mistakes);
+    if (parameter) visit_parameter(entry, *parameter, settings.kind, use);
+    if (entry.object) visit_names(*entry.object, registry, use);
+    for (const auto& [name, object] : entry.objects) visit_names(object, registry, use);
   }
+}
+
+void check_names(const core::Settings& settings, const core::Registry& registry, const Names& names,
+                 core::Mistakes& mistakes) {
+  visit_names(settings, registry,
+              [&](const NameUse& name) { check_name(name.word, name.what, name.place, names, mistakes); });
+}
+
+void warn_of_held_loads(const Scene& scene, const core::Registry& registry) {
+  std::set<std::string> told;
+  for (const StageData& stage : scene.stages)
+    visit_names(stage.settings, registry, [&](const NameUse& name) {
+      if (name.what != "edge" || name.kind == "support") return;
+      const bool held =
+          std::any_of(stage.supports.begin(), stage.supports.end(), [&](const SupportData& support) {
+            return support.edge == name.word && support.move[0] && support.move[1];
+          });
+      const std::string text = core::to_string(name.place) + ": '" + name.word +
+                               "' is held in x and y in stage '" + stage.name +
+                               "': what acts on it goes straight to the support";
+      if (held && told.insert(core::to_string(name.place)).second) core::log().warning(text);
+    });
 }
 
 Names collect_names(const Scene& scene) {
@@ -70,7 +116,7 @@ Names collect_names(const Scene& scene) {
   for (const char* what : {"edge", "region", "joint", "lip", "probe", "stage"}) names.known[what];
   for (const RegionData& region : scene.regions) {
     names.known["region"].push_back(region.name);
-    names.edges_unknown = names.edges_unknown || !region.mesh_group.empty();
+    names.edges_unknown = names.edges_unknown || !region.mesh_group.empty() || !is_whole(region.shape);
     for (const std::string& edge : edge_names(region.shape))
       names.known["edge"].push_back(region.name + "." + edge);
   }

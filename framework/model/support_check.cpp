@@ -5,9 +5,8 @@
 #include <numeric>
 #include <set>
 
-#include <Eigen/Dense>
-
 #include "geometry/polygon.hpp"
+#include "model/free_motions.hpp"
 
 namespace ashlar::model {
 
@@ -94,18 +93,25 @@ class Holder {
 
   /// "slide in x and rotate about (3, 0)"; empty if the supports hold the body.
   std::string free_motions(Index body, const std::vector<SupportData>& supports) const {
-    std::vector<Eigen::RowVector3d> rows;
+    FreeMotions motions(domain_.points.front(), domain_.length);
     for (const SupportData& support : supports)
-      for (const Point p : points_of(support, body)) {
-        const Point r = (1 / domain_.length) * (p - domain_.points.front());
-        if (support.move[0]) rows.emplace_back(1, 0, -r.y);
-        if (support.move[1]) rows.emplace_back(0, 1, r.x);
-      }
-    Eigen::MatrixXd held = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()) + 1, 3);
-    for (std::size_t i = 0; i < rows.size(); ++i) held.row(static_cast<Eigen::Index>(i)) = rows[i];
-    Eigen::FullPivLU<Eigen::MatrixXd> lu(held);
-    lu.setThreshold(1e-9);  // far above rounding, far below any two points an engineer tells apart
-    return lu.dimensionOfKernel() == 0 ? "" : words(held, lu.kernel());
+      for (const Point p : points_of(support, body))
+        for (int c = 0; c < 2; ++c)
+          if (support.move[static_cast<std::size_t>(c)]) motions.hold(p, c);
+    return motions.words();
+  }
+
+  /// The lowest named edge of a body; empty if it has none.
+  std::string lowest_edge(Index body) const {
+    std::string name;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Segment& segment : domain_.segments) {
+      if (segment.borders.empty() || !belongs(segment, body)) continue;
+      const double height = domain_.points[segment.from].y + domain_.points[segment.to].y;
+      if (height < lowest) name = segment.borders.front();
+      lowest = std::min(lowest, height);
+    }
+    return name;
   }
 
  private:
@@ -145,29 +151,6 @@ class Holder {
     }
   }
 
-  // Columns of `kernel` span the free motions (x, y, rotation about the first point, scaled by the length).
-  std::string words(const Eigen::MatrixXd& held, const Eigen::MatrixXd& kernel) const {
-    std::vector<std::string> motions;
-    const std::array<const char*, 2> slides = {"slide in x", "slide in y"};
-    for (Eigen::Index c = 0; c < 2; ++c)
-      if (held.col(c).norm() == 0) motions.emplace_back(slides[static_cast<std::size_t>(c)]);
-    for (Eigen::Index k = 0; k < kernel.cols(); ++k) {
-      const double turn = kernel(2, k);
-      if (std::abs(turn) < 1e-9 * kernel.col(k).norm()) continue;
-      const Point origin = domain_.points.front();
-      const double x = origin.x - domain_.length * kernel(1, k) / turn;
-      const double y = origin.y + domain_.length * kernel(0, k) / turn;
-      const std::string about =
-          " about (" + core::format_quantity(x, {}) + ", " + core::format_quantity(y, {}) + ")";
-      motions.push_back("rotate" + (kernel.cols() == 1 ? about : std::string()));
-      break;
-    }
-    std::string text;
-    for (std::size_t i = 0; i < motions.size(); ++i)
-      text += (i == 0 ? "" : i + 1 == motions.size() ? " and " : ", ") + motions[i];
-    return text;
-  }
-
   const mesh::Domain& domain_;
   std::vector<Index> body_;
 };
@@ -189,9 +172,7 @@ void check_support(const Scene& scene, const mesh::Domain& domain, core::Mistake
     for (const StageData& stage : scene.stages) {
       const std::string motions = holder.free_motions(body, stage.supports);
       if (motions.empty()) continue;
-      mistakes.add(stage.place,
-                   "nothing holds " + holder.name(body) + " in stage '" + stage.name + "': it can " + motions,
-                   "add to supports, for example [\"rock.bottom\"] = \"xy\"");
+      add_unheld({holder.name(body), stage.name, motions, holder.lowest_edge(body)}, stage.place, mistakes);
       break;  // later stages inherit the mistake
     }
 }

@@ -90,12 +90,16 @@ Json extremes(const model::StageResult& stage) {
 
 Json stage_json(const model::StageResult& stage) {
   Json json = {{"name", stage.name}, {"converged", stage.converged}};
-  if (!stage.converged) json["reason"] = stage.reason;
   json["effects"] = stage.effects;
+  json["iterations"] = iterations(stage);
+  if (!stage.converged) {
+    json["reason"] = stage.reason;
+    json["advice"] = stage.advice;
+    return json;
+  }
   json["probes"] = probes(stage);
   json["joints"] = joints(stage);
   json["balance"] = balance(stage.balance);
-  json["iterations"] = iterations(stage);
   json["extremes"] = extremes(stage);
   json["solve"] = {{"unknowns", stage.unknowns},
                    {"kept", stage.kept},

@@ -7,6 +7,7 @@
 #include "output/files.hpp"
 #include "output/hdf5.hpp"
 #include "output/provenance.hpp"
+#include "output/tables.hpp"
 
 namespace ashlar::output {
 
@@ -161,23 +162,19 @@ void write_balance(const Handle& stage, const model::Balance& balance) {
   attribute(group, "relative_error", balance.relative_error);
 }
 
-void write_iterations(const Handle& stage, const std::vector<model::Iteration>& iterations) {
+void write_iterations(const Handle& stage, const model::StageResult& result) {
   using Row = model::Iteration;
+  const std::vector<Row>& iterations = result.iterations;
   const Handle group = make_group(stage, "iterations");
   write_column<Row>(group, "step", iterations, [](const Row& r) { return Index{r.step}; });
   write_column<Row>(group, "number", iterations, [](const Row& r) { return Index{r.number}; });
   write_column<Row>(
       group, "residual", iterations, [](const Row& r) { return r.residual; }, "");
-  std::vector<std::string> facts;
-  for (const Row& row : iterations)
-    for (const auto& fact : row.facts)
-      if (std::find(facts.begin(), facts.end(), fact.first) == facts.end()) facts.push_back(fact.first);
   const Handle columns = make_group(group, "facts");
-  for (const std::string& fact : facts) {
-    std::vector<double> values(iterations.size(), std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t i = 0; i < iterations.size(); ++i)
-      for (const auto& [name, value] : iterations[i].facts)
-        if (name == fact) values[i] = value;
+  for (const std::string& fact : fact_names({&result, 1})) {
+    std::vector<double> values;
+    for (const Row& row : iterations)
+      values.push_back(fact_of(row, fact).value_or(std::numeric_limits<double>::quiet_NaN()));
     write(columns, link_name(fact), std::span<const double>(values));
   }
 }
@@ -202,19 +199,21 @@ void write_stage(const Handle& stages, const std::string& name, const model::Sta
   attribute(stage, "name", result.name);
   attribute(stage, "converged", result.converged ? 1 : 0);
   attribute(stage, "reason", result.reason);
+  attribute(stage, "advice", result.advice);
   attribute(stage, "effects", result.effects);
   attribute(stage, "factored", result.factored ? 1 : 0);
   attribute(stage, "unknowns", static_cast<int>(result.unknowns));
   attribute(stage, "kept", static_cast<int>(result.kept));
   attribute(stage, "solver", result.solver);
   attribute(stage, "backward_error", result.backward_error);
+  write_iterations(stage, result);
+  if (!result.converged) return;
   write_fields(stage, result);
   const Handle joints = make_group(stage, "joints");
   for (const model::JointResult& joint : result.joints) write_joint(joints, joint);
   const Handle probes = make_group(stage, "probes");
   for (const model::ProbeResult& probe : result.probes) write_probe(probes, probe);
   write_balance(stage, result.balance);
-  write_iterations(stage, result.iterations);
   write_extremes(stage, result.extremes);
 }
 

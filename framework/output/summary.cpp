@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "output/tables.hpp"
 #include "output/text_table.hpp"
 
 namespace ashlar::output {
@@ -11,6 +12,7 @@ namespace ashlar::output {
 namespace {
 
 constexpr std::size_t width = 96;
+constexpr std::size_t most_iterations = 12;  // a failed stage may have hundreds; its end tells most
 using Rows = std::vector<std::vector<std::string>>;
 
 std::string number(const char* format, double value) {
@@ -47,7 +49,7 @@ void add_balance(const model::StageResult& stage, Rows& rows) {
   model::Resultant scale;
   for (const auto& [name, r] : b.loads) widen(scale, r);
   for (const auto& [name, r] : b.reactions) widen(scale, r);
-  rows.push_back({stage.name + (stage.converged ? "" : " (not converged)")});
+  rows.push_back({stage.name});
   for (const auto& [name, r] : b.loads) rows.push_back(force_row(name, r, scale));
   for (const auto& [name, r] : b.reactions) rows.push_back(force_row("reaction " + name, r, scale));
   const model::Resultant sum{b.load.x + b.reaction.x, b.load.y + b.reaction.y,
@@ -59,12 +61,15 @@ void add_balance(const model::StageResult& stage, Rows& rows) {
 
 }  // namespace
 
-std::string simulated_text(const model::Plan& plan) {
+std::string simulated_text(const model::Plan& plan, const model::RunResult& result) {
   if (plan.stages.empty()) return {};
   std::string text = "Simulated\n";
-  for (const model::StagePlan& stage : plan.stages) {
+  for (std::size_t s = 0; s < plan.stages.size(); ++s) {
+    const model::StagePlan& stage = plan.stages[s];
     std::string line = "  " + stage.stage + ":";
     for (std::size_t i = 0; i < stage.calls.size(); ++i) line += (i ? ", " : " ") + stage.calls[i].effect;
+    if (s >= result.good().size())
+      line = "  " + stage.stage + (s < result.stages.size() ? ": did not converge" : ": not run");
     text += "  " + wrapped(line, width - 2, 6);
   }
   if (plan.left_out.empty()) return text;
@@ -92,15 +97,15 @@ std::string mesh_text(const mesh::MeshReport& report, const model::Model& model)
 }
 
 std::string balance_text(const model::RunResult& result) {
-  if (result.stages.empty()) return {};
+  if (result.good().empty()) return {};
   Rows rows = {{"", "x", "y", "moment about (0, 0)"}};
-  for (const model::StageResult& stage : result.stages) add_balance(stage, rows);
+  for (const model::StageResult& stage : result.good()) add_balance(stage, rows);
   return "Loads and reactions (on the modelled thickness)\n" + aligned(rows);
 }
 
 std::string extremes_text(const model::RunResult& result) {
-  if (result.stages.empty()) return {};
-  const model::StageResult& stage = result.stages.back();
+  if (result.good().empty()) return {};
+  const model::StageResult& stage = result.good().back();
   auto nodal = [&](const std::string& quantity) {
     return std::any_of(stage.extremes.begin(), stage.extremes.end(),
                        [&](const model::Extreme& e) { return e.quantity == quantity; });
@@ -153,18 +158,43 @@ std::string probes_text(const model::RunResult& result) {
 
 std::string iterations_text(const model::RunResult& result) {
   Rows rows = {{"stage", "iterations", "last residual", "backward error", "unknowns", "solved with"}};
-  for (const model::StageResult& stage : result.stages) {
+  for (const model::StageResult& stage : result.good()) {
     const bool linear = stage.iterations.empty();
     rows.push_back({stage.name, linear ? "linear" : std::to_string(stage.iterations.size()),
                     linear ? "" : number("%.1e", stage.iterations.back().residual),
                     number("%.1e", stage.backward_error), std::to_string(stage.unknowns),
                     stage.factored ? "new factorisation" : "factorisation kept"});
   }
-  std::string text = result.stages.empty() ? std::string() : "Solution\n" + aligned(rows);
-  for (const model::StageResult& stage : result.stages)
-    if (!stage.converged)
-      text += "  " + wrapped(stage.name + " did not converge: " + stage.reason, width - 2, 4);
-  return text;
+  return rows.size() == 1 ? std::string() : "Solution\n" + aligned(rows);
+}
+
+std::string failure_text(const model::RunResult& result) {
+  if (result.good().size() == result.stages.size()) return {};
+  const model::StageResult& stage = result.stages.back();
+  std::string text = "Not converged: stage " + stage.name + "\n  " + wrapped(stage.reason, width - 2, 2);
+  if (!stage.advice.empty()) text += "  " + wrapped("What to try: " + stage.advice, width - 2, 4);
+  text += result.good().empty() ? "  No stage was completed.\n"
+                                : "  All results are those of the stages before it, the last one " +
+                                      result.good().back().name + ".\n";
+  const std::size_t count = stage.iterations.size();
+  if (count == 0) return text;
+  const std::size_t first = count > most_iterations ? count - most_iterations : 0;
+  Rows rows = {{"step", "iteration", "residual"}};
+  const std::vector<std::string> facts = fact_names({&stage, 1});
+  rows.front().insert(rows.front().end(), facts.begin(), facts.end());
+  for (std::size_t i = first; i < count; ++i) {
+    const model::Iteration& row = stage.iterations[i];
+    rows.push_back({std::to_string(row.step), std::to_string(row.number), number("%.1e", row.residual)});
+    for (const std::string& fact : facts) {
+      const auto value = fact_of(row, fact);
+      rows.back().push_back(value ? number("%.4g", *value) : "");
+    }
+  }
+  return text +
+         (first > 0 ? "  the last " + std::to_string(most_iterations) + " of " + std::to_string(count) +
+                          " iterations:\n"
+                    : "") +
+         aligned(rows, 0);
 }
 
 std::string costs_text(const core::Ledger& ledger) {
@@ -197,9 +227,10 @@ std::string files_text(const std::vector<std::filesystem::path>& files) {
 std::string summary(const RunRecord& record, const std::vector<std::filesystem::path>& files) {
   std::string text = record.scene.title + "\n";
   for (const std::string& paragraph :
-       {simulated_text(record.plan), mesh_text(record.mesh_report, record.model), balance_text(record.result),
-        extremes_text(record.result), probes_text(record.result), joints_text(record.result),
-        iterations_text(record.result), costs_text(record.ledger), files_text(files)})
+       {simulated_text(record.plan, record.result), mesh_text(record.mesh_report, record.model),
+        balance_text(record.result), extremes_text(record.result), probes_text(record.result),
+        joints_text(record.result), iterations_text(record.result), failure_text(record.result),
+        costs_text(record.ledger), files_text(files)})
     if (!paragraph.empty()) text += "\n" + paragraph;
   return text;
 }

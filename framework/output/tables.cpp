@@ -25,7 +25,8 @@ std::string quantity_unit(const std::string& quantity) {
   const bool stress = quantity.size() >= 2 && quantity.size() <= 3 && quantity[0] == 's' &&
                       (quantity[1] == 'x' || quantity[1] == 'y' || quantity[1] == 'z' ||
                        (quantity[1] >= '1' && quantity[1] <= '3'));
-  return stress || quantity == "pressure" ? "Pa" : "";
+  if (quantity == "principal_angle") return "deg";
+  return stress || quantity == "von_mises" || quantity == "pressure" ? "Pa" : "";
 }
 
 std::vector<std::string> joint_names(const RunResult& result) {
@@ -78,12 +79,23 @@ std::string joint_csv(const RunResult& result, const std::string& name) {
   return any ? text : std::string();
 }
 
-std::string iterations_csv(const RunResult& result) {
-  std::vector<std::string> facts;
-  for (const StageResult& stage : result.stages)
+std::vector<std::string> fact_names(std::span<const StageResult> stages) {
+  std::vector<std::string> names;
+  for (const StageResult& stage : stages)
     for (const Iteration& iteration : stage.iterations)
       for (const auto& [fact, value] : iteration.facts)
-        if (std::find(facts.begin(), facts.end(), fact) == facts.end()) facts.push_back(fact);
+        if (std::find(names.begin(), names.end(), fact) == names.end()) names.push_back(fact);
+  return names;
+}
+
+std::optional<double> fact_of(const Iteration& iteration, const std::string& name) {
+  for (const auto& [fact, value] : iteration.facts)
+    if (fact == name) return value;
+  return {};
+}
+
+std::string iterations_csv(const RunResult& result) {
+  const std::vector<std::string> facts = fact_names(result.stages);
   std::string text = "stage,step,iteration,residual";
   for (const std::string& fact : facts) text += "," + csv_field(fact);
   text += "\n";
@@ -92,9 +104,8 @@ std::string iterations_csv(const RunResult& result) {
       text += csv_field(stage.name) + "," + std::to_string(iteration.step) + "," +
               std::to_string(iteration.number) + "," + shortest(iteration.residual);
       for (const std::string& fact : facts) {
-        const auto found = std::find_if(iteration.facts.begin(), iteration.facts.end(),
-                                        [&](const auto& each) { return each.first == fact; });
-        text += found == iteration.facts.end() ? "," : "," + shortest(found->second);
+        const auto value = fact_of(iteration, fact);
+        text += "," + (value ? shortest(*value) : std::string());
       }
       text += "\n";
     }

@@ -2,6 +2,8 @@
 // Results as CSV: one header row, comma, point as decimal sign, SI units in the header, numbers that read
 // back exactly. What a stage does not have stays empty.
 
+#include <optional>
+#include <span>
 #include <string>
 
 #include "model/results.hpp"
@@ -16,6 +18,11 @@ std::string joint_csv(const model::RunResult& result, const std::string& joint);
 
 /// One row per stage, step and iteration: residual and the facts that the terms gave.
 std::string iterations_csv(const model::RunResult& result);
+
+/// Names of all facts in the stages' iterations, in the order of their first appearance.
+std::vector<std::string> fact_names(std::span<const model::StageResult> stages);
+/// Nothing if the iteration has no such fact.
+std::optional<double> fact_of(const model::Iteration& iteration, const std::string& name);
 
 /// Names of all joints in the results, in the order of their first appearance.
 std::vector<std::string> joint_names(const model::RunResult& result);

@@ -26,8 +26,9 @@ std::string date_now() {
 
 void write_vtk(const RunRecord& record, Transaction& transaction) {
   std::vector<CollectionFile> parts;
-  for (std::size_t i = 0; i < record.result.stages.size(); ++i) {
-    const model::StageResult& stage = record.result.stages[i];
+  const auto stages = record.result.good();
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    const model::StageResult& stage = stages[i];
     const std::string name = "vtu/" + stage_file_name(i + 1, stage.name);
     write_file(transaction.file(name + ".vtu"), cells_vtu(record.model.mesh, stage));
     parts.push_back({i + 1, 0, name + ".vtu"});
@@ -52,13 +53,11 @@ void write_tables(const RunRecord& record, Transaction& transaction) {
 }  // namespace
 
 bool has_format(const model::Scene& scene, const std::string& format) {
-  for (const core::Settings::Entry& entry : scene.outputs.entries) {
-    const core::Table* words = entry.key == "formats" ? entry.value.table() : nullptr;
-    if (!words) continue;
-    return std::any_of(words->items.begin(), words->items.end(),
-                       [&](const core::Value& word) { return word.text() && *word.text() == format; });
-  }
-  return format != "svg";
+  const core::Settings::Entry* formats = scene.outputs.find("formats");
+  const core::Table* words = formats ? formats->value.table() : nullptr;
+  if (!words) return format != "svg";
+  return std::any_of(words->items.begin(), words->items.end(),
+                     [&](const core::Value& word) { return word.text() && *word.text() == format; });
 }
 
 std::vector<std::filesystem::path> write_results(const RunRecord& record, const std::filesystem::path& out) {

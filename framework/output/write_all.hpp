@@ -10,7 +10,9 @@ namespace ashlar::output {
 
 /// Writes all files that the scene's outputs ask for into `out` and returns their places, results.h5 first.
 /// Results of a run that did not converge go to out/unconverged, so that earlier results stay; a later run
-/// that converges removes them. Throws InputError if the folder cannot be written: nothing has changed then.
+/// that converges removes them. Fields, vtu files and pictures are those of the stages that converged; of the
+/// one that failed only its reason and iterations are kept. Throws InputError if the folder cannot be
+/// written: nothing has changed then.
 std::vector<std::filesystem::path> write_results(const RunRecord& record, const std::filesystem::path& out);
 
 /// True if outputs.formats has this word ("hdf5", "vtu", "csv", "png", "svg"). What a scene without

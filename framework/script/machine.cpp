@@ -226,7 +226,8 @@ bool Machine::compile(lua_State* L, const std::filesystem::path& path, const std
     what = lua_tostring(L, -1);
   lua_pop(L, 2);
   const core::Place place = split_place(what, {name, 0, {}});
-  report_at(L, place, what);
+  const bool comma = what.find("expected (to close '{'") != std::string::npos;
+  report_at(L, place, what, comma ? "is a comma missing before it?" : "");
   lua_pop(L, 1);
   return false;
 }

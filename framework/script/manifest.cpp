@@ -72,9 +72,12 @@ core::Registry manifest_schemas() {
   registry.add_schema(schema("range", {simple("above", Form::number), simple("below", Form::number),
                                        simple("from", Form::number), simple("to", Form::number)}));
   registry.add_schema(parameter_schema());
+  registry.add_schema(schema("alternative", {simple("", Form::text, true), simple("least", Form::integer),
+                                             simple("most", Form::integer)}));
   registry.add_schema(schema("provided", {simple("kind", Form::text, true), simple("name", Form::text, true),
                                           simple("constructor", Form::text), simple("doc", Form::text),
-                                          several("parameters", Form::list, object({}, "parameter"))}));
+                                          several("parameters", Form::list, object({}, "parameter")),
+                                          several("alternatives", Form::list, object({}, "alternative"))}));
   registry.add_schema(schema(
       "effect",
       {simple("name", Form::text, true), several("called_by", Form::list, simple({}, Form::text), true),
@@ -150,6 +153,27 @@ std::vector<Parameter> parameters(const Settings& said, core::Mistakes& mistakes
   return list;
 }
 
+// { "size", "cells" }: exactly one of them, unless `least` or `most` say otherwise.
+std::vector<core::Alternative> alternatives(const Settings& said, const std::vector<Parameter>& known,
+                                            core::Mistakes& mistakes) {
+  std::vector<core::Alternative> list;
+  for (const auto& [number, one] : said.objects("alternatives")) {
+    core::Alternative alternative;
+    for (const core::Value& key : one.items) {
+      if (!key.text()) continue;
+      const bool there = std::any_of(known.begin(), known.end(), [&](const Parameter& parameter) {
+        return parameter.key == *key.text();
+      });
+      if (!there) mistakes.add(key.place, "there is no parameter '" + *key.text() + "' here");
+      alternative.keys.push_back(*key.text());
+    }
+    alternative.least = static_cast<int>(one.number("least", 1));
+    alternative.most = static_cast<int>(one.number("most", 1));
+    list.push_back(std::move(alternative));
+  }
+  return list;
+}
+
 class ManifestReader {
  public:
   explicit ManifestReader(core::Registry& registry) : registry_(registry), schemas_(manifest_schemas()) {}
@@ -175,9 +199,11 @@ class ManifestReader {
 
  private:
   void add_provided(const Settings& said, const std::string& module) {
+    std::vector<Parameter> known = parameters(said, mistakes);
+    std::vector<core::Alternative> choices = alternatives(said, known, mistakes);
     try {
       registry_.add_schema({said.text("kind"), said.text("name"), said.text("constructor"), said.text("doc"),
-                            parameters(said, mistakes)},
+                            std::move(known), std::move(choices)},
                            module);
     } catch (const core::InputError& error) {
       mistakes.add(said.place, error.mistakes().front().what);

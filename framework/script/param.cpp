@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/hints.hpp"
 #include "script/convert.hpp"
 #include "script/quantity.hpp"
 #include "script/undefined.hpp"
@@ -74,9 +75,12 @@ bool has_type_of_default(lua_State* L, const Declared& param, int value, core::M
   const bool fits =
       !given || !fallback || given->bare || fallback->bare || given->dimension == fallback->dimension;
   if (same && fits) return true;
+  const std::string product =
+      lua_type(L, value) == LUA_TSTRING ? core::product_in_script(lua_tostring(L, value), "") : "";
   mistakes.add(place_of_setting(param.name),
                "must be of the kind of its default, " + shown(L, param.fallback) + "; got " + shown(L, value),
-               "'" + param.name + "' is declared at " + core::to_string(param.place));
+               (product.empty() ? "" : "units are multiplied: --set " + param.name + "=" + product + "; ") +
+                   "'" + param.name + "' is declared at " + core::to_string(param.place));
   return false;
 }
 
@@ -137,7 +141,7 @@ void check_choices(lua_State* L, const Declared& param, int value, const core::P
 }
 
 void check_keys(lua_State* L, Machine& machine, const core::Place& place) {
-  static const std::vector<std::string> valid = {"default", "doc", "min", "max", "choices"};
+  static const std::vector<std::string> valid = param_schema().keys();
   for (lua_pushnil(L); lua_next(L, 1); lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING) continue;
     const std::string key = lua_tostring(L, -2);
@@ -147,6 +151,34 @@ void check_keys(lua_State* L, Machine& machine, const core::Place& place) {
 }
 
 }  // namespace
+
+const core::Schema& param_schema() {
+  const auto made = [](const char* key, unsigned forms, bool required, const char* doc) {
+    core::Parameter parameter;
+    parameter.key = key;
+    parameter.forms = forms;
+    parameter.required = required;
+    parameter.doc = doc;
+    return parameter;
+  };
+  using core::Form;
+  constexpr auto text = static_cast<unsigned>(Form::text), number = static_cast<unsigned>(Form::number);
+  static const core::Schema schema{
+      "param",
+      "param",
+      "param",
+      "A value of the script that `--set name=value` changes without an edit: local level = param { "
+      "\"level\", "
+      "default = 15*units.m }. A bare number takes the default's unit; --set level=12*m or =1200*cm says its "
+      "own.",
+      {made("", text, true, "the name for --set"),
+       made("default", Form::boolean | Form::number | Form::text, true, "the value if nothing is set"),
+       made("doc", text, false, "what it is, for `ashlar check`"),
+       made("min", number, false, "the least that is allowed"),
+       made("max", number, false, "the greatest that is allowed"),
+       made("choices", static_cast<unsigned>(Form::list), false, "the values that are allowed")}};
+  return schema;
+}
 
 int param(lua_State* L) {
   Machine& machine = Machine::of(L);

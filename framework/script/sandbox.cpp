@@ -65,6 +65,15 @@ bool is_known_lua(const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// "m" was meant as units.m, "penalty" as contact.penalty; empty if neither is so.
+std::string full_name(const std::string& name, const std::vector<std::string>& words) {
+  for (const core::Unit& unit : core::unit_table())
+    if (unit.name == name) return "units." + name;
+  for (const std::string& word : words)
+    if (word.ends_with("." + name)) return word;
+  return {};
+}
+
 int undefined_global(lua_State* L) {
   const std::string name = luaL_tolstring(L, 2, nullptr);
   if (is_known_lua(name)) {
@@ -75,6 +84,8 @@ int undefined_global(lua_State* L) {
   lua_rawgetp(L, LUA_REGISTRYINDEX, &globals_key);
   const std::string guess = core::nearest(name, text_keys(L, -1));
   const std::vector<std::string> words = constructor_words(L);
+  if (const std::string full = full_name(name, words); !full.empty())
+    return Machine::of(L).report(L, "'" + name + "' is not defined", "did you mean '" + full + "'?");
   std::string advice = guess.empty() ? core::did_you_mean(name, words) : "did you mean '" + guess + "'?";
   if (guess.empty() && !words.empty())
     advice += "\n    modules found: " + std::string(lua_tostring(L, lua_upvalueindex(1))) +

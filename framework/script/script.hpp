@@ -32,6 +32,9 @@ struct ParamUse {
   core::Place place;
 };
 
+/// The keys of `param { … }`, for describe.
+const core::Schema& param_schema();
+
 struct ScriptResult {
   core::Value scene;  ///< the table of `return Scene { … }`; nothing if the script failed
   std::vector<ParamUse> params;

@@ -103,6 +103,10 @@ StepReport advance(const Bulk& bulk, const LocalTerms& local, const model::Const
       report.iterations.insert(report.iterations.end(), rows.begin(), rows.end());
     if (!result.converged) {
       report.reason = result.reason;
+      report.advice = result.singular
+                          ? "hold the body by a support in this stage, or load it so that its joints close"
+                          : "smaller cells along the joint, a softer contact (a smaller penalty factor), or "
+                            "the load spread over several stages";
       report.singular = result.singular;
       return report;
     }
@@ -123,6 +127,9 @@ StepReport advance(const Bulk& bulk, const LocalTerms& local, const model::Const
                   "the linear system is too badly conditioned: its backward error stays at %.1e",
                   report.backward_error);
     report.reason = text;
+    report.advice =
+        "stiffnesses nearer to each other: a smaller penalty factor, moduli that differ less, "
+        "cells that are less thin";
   }
   return report;
 }

@@ -14,7 +14,7 @@ struct StepTarget {
 
 struct StepReport {
   bool converged = false;
-  std::string reason;
+  std::string reason, advice;
   bool singular = false;      ///< a body is free to move: smaller steps cannot help
   double residual = 0;        ///< ‖forces out of balance in free dofs‖∞ over the largest nodal force
   double backward_error = 0;  ///< of the linear solve: ‖r‖∞ / (‖K‖∞ ‖u‖∞ + ‖f‖∞)

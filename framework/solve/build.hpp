@@ -29,7 +29,7 @@ model::Constraints build_constraints(const model::Model& model, const model::Sta
 void check_support(const model::Model& model, const model::Scene& scene, const model::StageData& stage,
                    const model::Constraints& constraints, core::Mistakes& mistakes);
 
-/// ": 'dam' can slide along x; …" for the bodies that joints alone must hold: what a report adds when they do
+/// ": 'dam' can slide in x; …" for the bodies that joints alone must hold: what a report adds when they do
 /// not.
 std::string loose_bodies(const model::Model& model, const model::Scene& scene,
                          const model::Constraints& constraints);

@@ -79,6 +79,7 @@ class March {
     for (const model::ProbeData& probe : in_.scene.probes)
       probe_points_.push_back(model::point_at(in_.model.mesh, {probe.at, probe.lip, probe.place}, mistakes));
     mistakes.throw_if_any();
+    warn_of_mixed_probes(in_.scene, in_.model, probe_points_);
   }
 
   /// The state and load that stage `s` starts from.
@@ -112,6 +113,7 @@ class March {
     if (!bulk.report().done) {
       result.converged = false;
       result.reason = bulk.report().reason;
+      result.advice = "see that supports hold every body; if memory ran out, take fewer cells";
       return result;
     }
     const Ended start = start_of(s);
@@ -156,6 +158,7 @@ class March {
       if (local.empty() || report.singular || size < std::ldexp(1.0, -most_cuts)) {
         result.converged = false;
         result.reason = report.reason;
+        result.advice = report.advice;
         if (report.singular) result.reason += loose_bodies(in_.model, in_.scene, ready.constraints);
         if (reached > 0)
           result.reason +=
@@ -181,6 +184,7 @@ class March {
                       core::format_quantity(at.y, {1, 0, 0}) + ") is fixed where it is, displaced by " +
                       core::format_quantity(from[dof], {1, 0, 0}) + ", and by another support held at " +
                       core::format_quantity(constraints.value[dof], {1, 0, 0});
+      result.advice = "leave one of the two supports out of this stage";
       return false;
     }
     return true;
@@ -203,6 +207,7 @@ class March {
     result.balance = balance(in_.model, in_.scene.stages[s],
                              {ready.terms, ready.constraints, forces, negligible * bulk.norm() * largest});
     add_probes(in_.scene, in_.model, probe_points_, result);
+    if (s == 0) warn_of_unread(in_.scene, result);
     if (result.balance.relative_error > poor_balance)
       core::log().warning("stage '" + result.name + "': loads and reactions differ by " +
                           std::to_string(100 * result.balance.relative_error) + " %");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/log.hpp"
 #include "geometry/polygon.hpp"
 
 namespace ashlar::solve {
@@ -35,6 +36,27 @@ std::string component_name(const FieldResult& field, int component) {
   if (field.name.starts_with("stress") || field.name.starts_with("principal_stress")) return "s" + part;
   if (field.name.starts_with("strain")) return "e" + part;
   return field.width == 1 ? field.name : field.name + "_" + part;
+}
+
+/// A probe reads at points: "von_mises_nodes" is its "von_mises".
+std::string probe_name(const FieldResult& field, int component) {
+  std::string name = component_name(field, component);
+  if (name.ends_with("_nodes")) name.resize(name.size() - std::string_view("_nodes").size());
+  return name;
+}
+
+/// The regions of the cells around a point.
+std::vector<Index> regions_at(const mesh::Mesh& mesh, Index point) {
+  std::vector<Index> regions;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+    if (std::ranges::count(mesh.cell_points[cell], point) > 0 &&
+        std::ranges::count(regions, mesh.cell_region[cell]) == 0)
+      regions.push_back(mesh.cell_region[cell]);
+  return regions;
+}
+
+bool same_stiffness(const model::Material& a, const model::Material& b) {
+  return a.shear_modulus() == b.shear_modulus() && a.plane_modulus() == b.plane_modulus();
 }
 
 /// "stress" asks for the nodal field too, which bears the word with "_nodes".
@@ -93,10 +115,41 @@ void add_probes(const model::Scene& scene, const model::Model& model, std::span<
     for (const FieldResult& field : result.fields) {
       if (field.on != FieldResult::On::points || !asked_for(probe, field.name)) continue;
       for (int c = 0; c < field.width; ++c)
-        found.values[component_name(field, c)] =
-            field.values[static_cast<std::size_t>(point) * field.width + c];
+        found.values[probe_name(field, c)] = field.values[static_cast<std::size_t>(point) * field.width + c];
     }
     result.probes.push_back(std::move(found));
+  }
+}
+
+void warn_of_unread(const model::Scene& scene, const model::StageResult& result) {
+  for (const model::ProbeData& probe : scene.probes)
+    for (const std::string& word : probe.quantities) {
+      const bool there = std::ranges::any_of(result.fields, [&](const FieldResult& field) {
+        return field.on == FieldResult::On::points && (field.name == word || field.name == word + "_nodes");
+      });
+      if (!there)
+        core::log().warning(core::to_string(probe.place) + ": '" + word +
+                            "' is known in cells only: the probe does not read it");
+    }
+}
+
+void warn_of_mixed_probes(const model::Scene& scene, const model::Model& model,
+                          std::span<const Index> points) {
+  for (std::size_t p = 0; p < scene.probes.size(); ++p) {
+    const model::ProbeData& probe = scene.probes[p];
+    if (std::ranges::all_of(probe.quantities, [](const std::string& q) { return q == "displacement"; }))
+      continue;
+    const std::vector<Index> regions = regions_at(model.mesh, points[p]);
+    const auto differs = [&](Index region) {
+      return !same_stiffness(*model.materials[region], *model.materials[regions.front()]);
+    };
+    if (std::ranges::none_of(regions, differs)) continue;
+    std::string names;
+    for (const Index region : regions)
+      names += (names.empty() ? "'" : " and '") + scene.regions[region].name + "'";
+    core::log().warning(core::to_string(probe.place) + ": the probe lies where the materials of " + names +
+                        " meet: its stresses are the mean of all sides, which none of them has; place it a "
+                        "cell's width inside the region that is meant");
   }
 }
 

@@ -21,6 +21,13 @@ model::Balance balance(const model::Model& model, const model::StageData& stage,
 void add_probes(const model::Scene& scene, const model::Model& model, std::span<const geometry::Index> points,
                 model::StageResult& result);
 
+/// Warns of what probes ask for and `result` has no values of at points.
+void warn_of_unread(const model::Scene& scene, const model::StageResult& result);
+
+/// Warns of probes that read stresses where materials meet: what is recovered there is a mean of all sides.
+void warn_of_mixed_probes(const model::Scene& scene, const model::Model& model,
+                          std::span<const geometry::Index> points);
+
 /// Least and greatest value of every component of every field in `result`, with their places.
 void add_extremes(const model::Model& model, model::StageResult& result);
 

@@ -25,15 +25,11 @@ std::string stiffness_text(const JointContact& joint) {
   return low == high ? low : low + " … " + high;
 }
 
-void check_penalty(const core::Settings& enforce, core::Mistakes& mistakes) {
-  if (enforce.name == "penalty" && enforce.said("factor") && enforce.said("stiffness"))
-    mistakes.add(enforce.place_of("factor"), "factor and stiffness are both said", "say one of them");
-}
-
 }  // namespace
 
 int slave_lip(const mesh::JointLips& joint, const std::string& named) {
-  if (!named.empty()) return named == joint.sides[0] ? 0 : 1;
+  const auto is = [&](const std::string& side) { return named == side || named == joint.name + "." + side; };
+  if (!named.empty()) return is(joint.sides[0]) ? 0 : 1;
   return joint.lips[1].size() > joint.lips[0].size() ? 1 : 0;
 }
 
@@ -56,11 +52,13 @@ void Contact::check_joint(const model::JointData& joint, core::Mistakes& mistake
     mistakes.add({settings.place.file, settings.place.line, settings.place.path + ".friction"},
                  name + " does not say its friction", core::did_you_mean("", registry_.names("friction")));
   const std::string slave = settings.text("slave");
-  const auto& sides = joint.line.sides;
-  if (!slave.empty() && slave != sides[0] && slave != sides[1])
-    mistakes.add(settings.place_of("slave"), name + " has no side '" + slave + "'",
-                 core::did_you_mean(slave, {sides[0], sides[1]}));
-  if (settings.entry("enforce").object) check_penalty(settings.object("enforce"), mistakes);
+  if (slave.empty()) return;
+  const std::vector<std::string> lips = {joint.line.name + "." + joint.line.sides[0],
+                                         joint.line.name + "." + joint.line.sides[1]};
+  for (const std::string& lip : lips)
+    if (slave == lip || joint.line.name + "." + slave == lip) return;
+  mistakes.add(settings.place_of("slave"), name + " has no lip '" + slave + "'",
+               core::did_you_mean(slave, lips));
 }
 
 JointContact Contact::make_joint(const model::Model& model, const mesh::JointLips& lips,
@@ -91,8 +89,8 @@ std::shared_ptr<ContactTerm> Contact::make_term(const model::Scene& scene, const
       continue;
     }
     core::log().info("joint '" + joint.name + "': " + std::to_string(joint.points.size()) +
-                     " contact points on side '" + lips.sides[joint.slave] + "', stiffness " +
-                     stiffness_text(joint));
+                     " contact points on lip '" + joint.name + "." + lips.sides[joint.slave] +
+                     "', stiffness " + stiffness_text(joint));
     joints.push_back(std::move(joint));
   }
   return std::make_shared<ContactTerm>(model, std::move(joints));

@@ -15,14 +15,15 @@ return {
       parameters = {} },
     { kind = "friction", name = "none", doc = "Frictionless: the lips slide freely.", parameters = {} },
     { kind = "enforcement", name = "penalty", constructor = "contact.penalty",
-      doc = "Pressure proportional to the penetration. Say factor or stiffness, not both.",
+      doc = "Pressure proportional to the penetration.",
       parameters = {
         { key = "factor", forms = { "number" }, default = 100, numerical = true,
           range = { above = 0 }, usual = { from = 1, to = 1e6 },
           doc = "times E'/h of the softer side: the penetration is about pressure * h / (factor * E')" },
         { key = "stiffness", forms = { "number" }, dimension = "Pa/m", range = { above = 0 },
           doc = "pressure for each metre of penetration, whatever the mesh" },
-      } },
+      },
+      alternatives = { { "factor", "stiffness", least = 0 } } },
   },
   extends = {
     joint = {
@@ -35,7 +36,8 @@ return {
       { key = "enforce", forms = { "object" }, kind = "enforcement", default = "penalty", numerical = true,
         doc = "how penetration is prevented" },
       { key = "slave", forms = { "text" },
-        doc = "name of the lip whose points carry the contact; nothing: the lip with more edges, the first of equals" },
+        doc = "the lip whose points carry the contact, as joint.side (\"fault.upper\"; the side alone will do); "
+             .. "nothing: the lip with more edges, the first of equals" },
     },
   },
   effects = {

@@ -18,9 +18,8 @@ namespace {
 /// What the scene's outputs and probes ask for; everything if the outputs do not say. A probe reads at
 /// points.
 std::set<std::string> wanted_fields(const model::Scene& scene) {
-  const auto fields = std::find_if(scene.outputs.entries.begin(), scene.outputs.entries.end(),
-                                   [](const auto& entry) { return entry.key == "fields"; });
-  if (fields == scene.outputs.entries.end() || !fields->value.table()) return all_fields;
+  const core::Settings::Entry* fields = scene.outputs.find("fields");
+  if (!fields || !fields->value.table()) return all_fields;
   std::set<std::string> wanted;
   const auto want = [&](const std::string& name) {
     if (all_fields.contains(name)) wanted.insert(name);

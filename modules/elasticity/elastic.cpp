@@ -35,19 +35,12 @@ double Elastic::unit_weight(double gravity) const {
 std::shared_ptr<const model::Material> make_elastic(const core::Settings& settings, Plane plane,
                                                     core::Mistakes& mistakes) {
   const double nu = settings.number("nu");
-  bool wrong = false;
   if (plane == Plane::strain && nu >= 0.5) {
     mistakes.add(settings.place_of("nu"),
                  "nu = 0.5 has no volume change: plane strain has no solution for it",
                  "take nu = 0.4999 (the elements do not lock), or plane = \"stress\"");
-    wrong = true;
+    return nullptr;
   }
-  if (settings.has("unit_weight") && settings.has("density")) {
-    mistakes.add(settings.place_of("density"), "unit_weight and density are both given",
-                 "give one of them; a unit weight does not depend on the stage's gravity");
-    wrong = true;
-  }
-  if (wrong) return nullptr;
   Weight weight;
   if (settings.has("unit_weight")) weight.unit_weight = settings.number("unit_weight");
   if (settings.has("density")) weight.density = settings.number("density");

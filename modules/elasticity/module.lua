@@ -42,7 +42,8 @@ return {
           usual = { from = 1e3, to = 1e5 }, doc = "Weight per volume; stages with gravity need this or density." },
         { key = "density", forms = { "number" }, dimension = "kg/m^3", range = { from = 0 },
           usual = { from = 100, to = 1e4 }, doc = "Mass per volume; its weight is density times the stage's gravity." },
-      } },
+      },
+      alternatives = { { "unit_weight", "density", least = 0 } } },
   },
   effects = {
     { name = "elasticity", called_by = { "scene.geometry" }, nonlinear = false,

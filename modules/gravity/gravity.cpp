@@ -11,7 +11,7 @@ namespace ashlar::gravity {
 double acceleration(const core::Settings& stage) {
   const core::Value& said = stage.value("gravity");
   if (const core::Quantity* number = said.quantity()) return number->value;
-  return said.boolean() && *said.boolean() ? standard : 0;
+  return said.boolean() && *said.boolean() ? core::standard_gravity : 0;
 }
 
 std::shared_ptr<const model::Load> self_weight(const model::Model& model, double g) {
@@ -53,7 +53,7 @@ void Gravity::check_region(const model::Scene& scene, const model::RegionData& r
                  "region '" + region.name + "' has no weight, but a stage says gravity",
                  "give its material unit_weight or density (0 for a region without weight)");
   const bool fixed = material->unit_weight(g) > 0 && material->unit_weight(2 * g) == material->unit_weight(g);
-  if (fixed && g != standard)
+  if (fixed && g != core::standard_gravity)
     core::log().warning("region '" + region.name + "' is given by its unit weight: gravity = " +
                         core::format_quantity(g, core::parse_dimension("m/s^2")) + " does not change it");
 }

@@ -5,9 +5,7 @@
 
 namespace ashlar::gravity {
 
-constexpr double standard = 9.80665;  ///< g of `gravity = true` [m/s²]
-
-/// The acceleration that a stage says [m/s²]: 0 for false or nothing.
+/// The acceleration that a stage says [m/s²]: standard gravity for true, 0 for false or nothing.
 double acceleration(const core::Settings& stage);
 
 /// Forces of the weight of all cells. Every material's unit weight must be known (≥ 0).

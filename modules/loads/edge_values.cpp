@@ -1,6 +1,7 @@
 #include "loads/edge_values.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace ashlar::loads {
@@ -41,15 +42,13 @@ class PointValue {
 
 }  // namespace
 
-double Table::at(double height) const {
+bool Table::holds(double height) const {
   const double slack = 1e-9 * (y.back() - y.front());
-  if (height < y.front() - slack || height > y.back() + slack)
-    throw core::InputError(core::Mistake{place,
-                                         "the table covers heights from " +
-                                             core::format_quantity(y.front(), metre) + " to " +
-                                             core::format_quantity(y.back(), metre) +
-                                             ", but the edge reaches " + core::format_quantity(height, metre),
-                                         "add rows, also where the pressure is 0"});
+  return height >= y.front() - slack && height <= y.back() + slack;
+}
+
+double Table::at(double height) const {
+  assert(holds(height));
   const auto above = std::upper_bound(y.begin() + 1, y.end() - 1, height);
   const std::size_t i = above - y.begin();
   const double t = std::clamp((height - y[i - 1]) / (y[i] - y[i - 1]), 0.0, 1.0);

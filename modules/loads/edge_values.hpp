@@ -12,7 +12,9 @@ constexpr int function_degree = 8;
 struct Table {
   std::vector<double> y, p;  ///< y strictly ascending, at least two rows
   core::Place place;
-  /// Throws InputError outside the table, but for round-off (1e-9 of its height).
+  /// Inside the table, but for round-off (1e-9 of its height).
+  bool holds(double height) const;
+  /// For heights that it holds.
   double at(double height) const;
 };
 

@@ -1,11 +1,16 @@
 #include "loads/loads.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include "loads/edge_values.hpp"
 #include "loads/point_loads.hpp"
 
 namespace ashlar::loads {
 
 namespace {
+
+constexpr core::Dimension metre{1, 0, 0};
 
 /// `key = true` says nothing that could act; false takes the load away.
 void check_flag(const core::Settings& stage, const std::string& key, core::Mistakes& mistakes) {
@@ -21,17 +26,33 @@ void check_couple(const core::Settings& couple, core::Mistakes& mistakes) {
                  "a couple acts between two places, got " + std::to_string(between->items.size()));
 }
 
-void check_components(const core::Settings& said, const std::string& what, core::Mistakes& mistakes) {
-  if (!said.has("x") && !said.has("y"))
-    mistakes.add(said.place, what + " has neither x nor y", "say x, y or both");
-}
-
 /// Entries of a map, or nothing if it was not said or turned off.
 const std::vector<std::pair<std::string, core::Value>>& named(const core::Settings& stage,
                                                               const std::string& key) {
   static const std::vector<std::pair<std::string, core::Value>> none;
   const core::Table* table = stage.value(key).table();
   return table ? table->entries : none;
+}
+
+/// Reports an edge that reaches beyond the heights of its table.
+bool covers(const Table& table, const std::string& edge, const model::StageContext& context) {
+  const mesh::Mesh& mesh = context.model.mesh;
+  double low = table.y.back(), high = table.y.front();
+  const auto group = mesh.edge_groups.find(edge);
+  if (group == mesh.edge_groups.end()) return true;  // reported where the load is added
+  for (const geometry::Index each : group->second)
+    for (const geometry::Index point : mesh.edge_points[each]) {
+      low = std::min(low, mesh.points[point].y);
+      high = std::max(high, mesh.points[point].y);
+    }
+  if (table.holds(low) && table.holds(high)) return true;
+  context.mistakes.add(table.place,
+                       "the table covers heights from " + core::format_quantity(table.y.front(), metre) +
+                           " to " + core::format_quantity(table.y.back(), metre) + ", but edge '" + edge +
+                           "' goes from " + core::format_quantity(low, metre) + " to " +
+                           core::format_quantity(high, metre),
+                       "add rows, also where the pressure is 0");
+  return false;
 }
 
 void add_edge_loads(const model::StageContext& context, std::span<double> force) {
@@ -42,7 +63,10 @@ void add_edge_loads(const model::StageContext& context, std::span<double> force)
   };
   for (const auto& [name, components] : stage.objects("tractions"))
     add(name, components.place, traction(components));
-  for (const auto& [name, value] : named(stage, "pressures")) add(name, value.place, pressure(value));
+  for (const auto& [name, value] : named(stage, "pressures")) {
+    const auto table = value.table() ? std::optional(read_table(value, context.mistakes)) : std::nullopt;
+    if (!table || covers(*table, name, context)) add(name, value.place, pressure(value));
+  }
 }
 
 }  // namespace
@@ -51,12 +75,8 @@ void Loads::check(const model::Scene& scene, core::Mistakes& mistakes) const {
   for (const model::StageData& stage : scene.stages) {
     for (const char* key : {"tractions", "pressures", "forces", "couples"})
       check_flag(stage.settings, key, mistakes);
-    for (const auto& [name, said] : stage.settings.objects("tractions"))
-      check_components(said, "the traction on '" + name + "'", mistakes);
     for (const auto& [name, value] : named(stage.settings, "pressures"))
       if (value.table()) read_table(value, mistakes);
-    for (const auto& [name, said] : stage.settings.objects("forces"))
-      check_components(said, "the force", mistakes);
     for (const auto& [name, said] : stage.settings.objects("couples")) check_couple(said, mistakes);
   }
 }

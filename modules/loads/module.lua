@@ -9,7 +9,8 @@ return {
           doc = "along x: a number, or a function of (x, y); nothing: 0" },
         { key = "y", forms = { "number", "function" }, dimension = "Pa",
           doc = "along y: a number, or a function of (x, y); nothing: 0" },
-      } },
+      },
+      alternatives = { { "x", "y", most = 2 } } },
     { kind = "force", name = "force", constructor = "Force",
       doc = "A force at the mesh point nearest to a place, for the whole thickness of the model.",
       parameters = {
@@ -18,7 +19,8 @@ return {
         { key = "y", forms = { "number" }, dimension = "N", doc = "along y; nothing: 0" },
         { key = "lip", forms = { "text" }, refers = "lip",
           doc = "at a joint: the lip that carries it, such as \"fault.upper\"" },
-      } },
+      },
+      alternatives = { { "x", "y", most = 2 } } },
     { kind = "couple", name = "couple", constructor = "Couple",
       doc = "A moment by two opposite forces at the mesh points nearest to two places, perpendicular to the "
          .. "line between these points, for the whole thickness of the model.",

@@ -25,13 +25,15 @@ return {
           each = { forms = { "object" }, kind = "structured_region" },
           doc = "other cells, size or grading for a region: { dam = { cells = {4, 8} } }; "
              .. "see `ashlar describe structured_region`" },
-      } },
+      },
+      alternatives = { { "cells", "size", least = 0 }, { "cells", "size", "regions", most = 3 } } },
     { kind = "structured_region", name = "structured_region",
       doc = "What one region's rows and columns have of their own in mesh.structured.",
       parameters = {
         cells("{ columns, rows }"),
         size("wished side of cells, instead of cells"),
         grading(nil, "as the mesh's own grading"),
-      } },
+      },
+      alternatives = { { "cells", "size", least = 0 } } },
   },
 }

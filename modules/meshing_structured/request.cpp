@@ -8,9 +8,7 @@ using core::Mistakes;
 using core::Settings;
 
 // What `said` says takes the place of what stood in the request before.
-void read(const Settings& said, Request& request, Mistakes& mistakes) {
-  if (said.has("cells") && said.has("size"))
-    mistakes.add(said.place_of("size"), "give cells or size, not both");
+void read(const Settings& said, Request& request) {
   if (said.has("size")) {
     request.size = said.number("size");
     request.cells = {0, 0};
@@ -34,11 +32,11 @@ void read(const Settings& said, Request& request, Mistakes& mistakes) {
 std::vector<Request> requests(const Settings& settings, const std::vector<std::string>& regions) {
   Mistakes mistakes;
   Request common;
-  read(settings, common, mistakes);
+  read(settings, common);
   std::vector<Request> result(regions.size(), common);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     for (const auto& [name, said] : settings.objects("regions"))
-      if (name == regions[r]) read(said, result[r], mistakes);
+      if (name == regions[r]) read(said, result[r]);
     if (result[r].cells[0] > 0 || result[r].size > 0) continue;
     mistakes.add(settings.place, "region '" + regions[r] + "' has no cells and no size",
                  "size = 0.5 or cells = {nx, ny}");

@@ -21,6 +21,7 @@ return {
           doc = "greatest growth of the size per length" },
         { key = "collapse", forms = { "number" }, default = 0.08, numerical = true, range = { from = 0, to = 0.3 },
           doc = "edges shorter than this share of their cell's size are collapsed, unless they carry geometry" },
-      } },
+      },
+      alternatives = { { "size", "cells" } } },
   },
 }

@@ -100,9 +100,6 @@ Plan plan_cells(const mesh::Domain& domain, const core::Settings& settings, Inde
 }
 
 Plan make_plan(const mesh::Domain& domain, const core::Settings& settings) {
-  if (settings.has("cells") == settings.has("size")) {
-    fail(settings.place, "mesh.voronoi needs either size or cells", "size = 0.5");
-  }
   if (settings.has("cells")) return plan_cells(domain, settings, settings.integer("cells"));
   Plan plan = plan_sizes(domain, mesh::SizeField::read(domain, settings, 1.0));
   plan.free = -1;

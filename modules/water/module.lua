@@ -15,7 +15,8 @@ return {
         { key = "density", forms = { "number" }, dimension = "kg/m^3",
           range = { above = 0 }, usual = { from = 950, to = 1100 },
           doc = "instead of unit_weight; times 9.80665 m/s^2, whatever gravity the stage says" },
-      } },
+      },
+      alternatives = { { "unit_weight", "density", least = 0 } } },
   },
   extends = {
     stage = {

@@ -9,7 +9,6 @@ namespace ashlar::water {
 namespace {
 
 constexpr double usual_unit_weight = 9810;  // N/m³: γ_w of the source paper's dam
-constexpr double standard_gravity = 9.80665;
 
 const core::Dimension metre{1, 0, 0};
 
@@ -32,7 +31,7 @@ double lowest(const mesh::Mesh& mesh, const std::vector<mesh::Index>& edges) {
 }  // namespace
 
 double unit_weight(const core::Settings& water) {
-  if (water.has("density")) return water.number("density") * standard_gravity;
+  if (water.has("density")) return water.number("density") * core::standard_gravity;
   return water.number("unit_weight", usual_unit_weight);
 }
 
@@ -50,9 +49,7 @@ void Water::check(const model::Scene& scene, core::Mistakes& mistakes) const {
       mistakes.add(said.place, "water = true says neither level nor face",
                    "Water { level = …, on = { … } }, a list of them, or false");
     for (const core::Settings* water : waters(stage)) {
-      if (water->has("density") && water->has("unit_weight"))
-        mistakes.add(water->place_of("density"), "density and unit_weight are both said", "say one of them");
-      else if (!water->has("density") && !water->has("unit_weight"))
+      if (!water->has("density") && !water->has("unit_weight"))
         core::log().info(core::to_string(water->place) + ": unit weight of water 9.81 kN/m^3, the default");
     }
   }

@@ -53,7 +53,63 @@ TEST(command_line, every_word_that_list_shows_can_be_described) {
     EXPECT_EQ(ended.code, 0) << word;
     EXPECT_NE(list.find(word), std::string::npos) << word;
   }
+  for (const char* word : {"param", "units", "dam_profiles"}) {
+    EXPECT_NE(list.find(word), std::string::npos) << word;
+    EXPECT_GT(call(std::string("describe ") + word).out.size(), 150u) << word;
+  }
+  EXPECT_NE(call("describe units").out.find("1e+06 Pa"), std::string::npos) << call("describe units").out;
+  EXPECT_NE(call("describe mesh.voronoi").out.find("say exactly one of size and cells"), std::string::npos);
   EXPECT_NE(call("describe material.elastic").out.find("must be above 0 Pa"), std::string::npos);
+}
+
+TEST(command_line, check_warns_as_a_run_does) {
+  const ScratchFolder folder;
+  write(folder / "scene.lua", R"(
+local soft = material.elastic { E = 10, nu = 0.2, unit_weight = 24e3 }
+return Scene {
+  title = "A block", plane = "strain",
+  geometry = { rock = Rectangle { from = {0,0}, to = {10,5}, material = soft } },
+  mesh = mesh.voronoi { cells = 20 },
+  supports = { ["rock.bottom"] = "xy" },
+  stages = { Stage { "weight", gravity = true, pressures = { ["rock.bottom"] = 1e3 } } },
+}
+)");
+  const Ended ended = call("check " + quoted(folder / "scene.lua"));
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_NE(ended.err.find("10 Pa is unusual"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("'rock.bottom' is held in x and y"), std::string::npos) << ended.err;
+}
+
+TEST(command_line, probes_warn_where_they_read_no_true_value) {
+  const ScratchFolder folder;
+  write(folder / "scene.lua", R"(
+local function rock(E) return material.elastic { E = E, nu = 0.2, unit_weight = 24e3 } end
+return Scene {
+  title = "Two blocks", plane = "strain",
+  geometry = { a = Rectangle { from = {0,0}, to = {1,1}, material = rock(1e9) },
+               b = Rectangle { from = {1,0}, to = {2,1}, material = rock(2e9) },
+               c = Rectangle { from = {2,0}, to = {3,1}, material = rock(2e9) } },
+  mesh = mesh.structured { size = 0.25 },
+  supports = { ["a.bottom"] = "xy" },
+  stages = { Stage { "weight", gravity = true } },
+  outputs = { pictures = false, probes = {
+    mixed = { "stress", at = {1, 0.5} }, moved = { "displacement", at = {1, 0.5} },
+    alike = { "stress", "von_mises", at = {2, 0.5} }, cells = { "strain", at = {2, 0.5} } } },
+}
+)");
+  const Ran ran = run(folder / "scene.lua", folder / "out");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.err.find("probes.mixed: the probe lies where the materials of 'a' and 'b' meet"),
+            std::string::npos)
+      << ran.err;
+  EXPECT_NE(ran.err.find("probes.cells: 'strain' is known in cells only"), std::string::npos) << ran.err;
+  for (const char* name : {"probes.moved", "probes.alike"})
+    EXPECT_EQ(ran.err.find(name), std::string::npos) << name << ran.err;
+  EXPECT_TRUE(ran.json.at("stages")[0].at("probes").at("alike").contains("von_mises"));
+  bool wrote = false;
+  for (const auto& row : ran.json.at("timings"))
+    wrote = wrote || (row.at("phase") == "write" && row.at("wall") > 0);
+  EXPECT_TRUE(wrote);
 }
 
 TEST(command_line, plan_names_the_line_that_calls_for_an_effect) {

@@ -16,7 +16,10 @@ const char* const block_on_incline = R"(
 local slide = param { "slide", default = false, doc = "take the wall away" }
 local rock = material.elastic { E = 1e9, nu = 0.25, unit_weight = 24e3 }
 local stages = { Stage { "rest", gravity = true } }
-if slide then stages[2] = Stage { "slide", supports = { ["block.bottom"] = "xy" } } end
+if slide then
+  stages[2] = Stage { "slide", supports = { ["block.bottom"] = "xy" } }
+  stages[3] = Stage { "after" }
+end
 return Scene {
   title = "A block on an incline", plane = "strain",
   geometry = { block = Rectangle { from = {0,0}, to = {2,4}, material = rock } },
@@ -62,7 +65,13 @@ TEST(endings, no_convergence_is_code_3_and_keeps_the_last_good_stage_apart) {
                   "Stage 'slide' did not converge: the joints do not hold a body that nothing else "
                   "holds: without them 'block' can slide"))
       << failed.err;
-  EXPECT_TRUE(has(failed.out, "slide did not converge")) << failed.out;
+  for (const char* words :
+       {"what to try: hold the body by a support", "the last good stage is 'rest': see ", "/unconverged"})
+    EXPECT_TRUE(has(failed.err, words)) << words << failed.err;
+  for (const char* words : {"Not converged: stage slide", "slide: did not converge", "after: not run",
+                            "Extreme values, stage rest"})
+    EXPECT_TRUE(has(failed.out, words)) << words << failed.out;
+  EXPECT_FALSE(has(failed.out, "slide      linear")) << failed.out;
 
   // The older results are the same bytes; what is new is in its own folder.
   auto after = contents(folder / "out");
@@ -76,7 +85,12 @@ TEST(endings, no_convergence_is_code_3_and_keeps_the_last_good_stage_apart) {
   const auto earlier = output::read_numbers(folder / "out/results.h5", "/stages/" + stages[0] + field);
   EXPECT_GT(earlier.values.size(), 100u);
   EXPECT_EQ(output::read_numbers(store, "/stages/" + stages[0] + field).values, earlier.values);
-  EXPECT_FALSE(failed.json.at("stages")[1].at("converged").get<bool>());
+  EXPECT_EQ(output::read_names(store, "/stages/" + stages[1]), std::vector<std::string>{"iterations"});
+  const auto& slide = failed.json.at("stages")[1];
+  EXPECT_FALSE(slide.at("converged").get<bool>());
+  EXPECT_TRUE(has(slide.at("advice").get<std::string>(), "hold the body"));
+  EXPECT_FALSE(slide.contains("balance"));
+  EXPECT_FALSE(has(read(folder / "out/unconverged/results.pvd"), "slide"));
 
   // A run that converges takes the remains away.
   EXPECT_EQ(run(folder / "scene.lua", folder / "out").code, 0);
@@ -182,7 +196,7 @@ TEST(endings, quiet_says_nothing_but_mistakes) {
   EXPECT_EQ(good.out + good.err, "");
   const Ended failed = call(words + " --set slide=true");
   EXPECT_EQ(failed.out, "");
-  EXPECT_EQ(std::count(failed.err.begin(), failed.err.end(), '\n'), 1) << failed.err;
+  EXPECT_EQ(std::count(failed.err.begin(), failed.err.end(), '\n'), 3) << failed.err;
   EXPECT_TRUE(failed.err.starts_with("Stage 'slide' did not converge")) << failed.err;
 }
 

@@ -1,4 +1,4 @@
--- expect 10: holds nothing
+-- expect 10: needs at least one of fix, ux and uy
 local u = units
 local rock = material.elastic { E = 10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }
 return Scene {

@@ -1,4 +1,5 @@
--- expect 8: there is no file 'meshes/nowhere.msh'
+-- expect 9: there is no file 'meshes/nowhere.msh'
+-- found by check
 local u = units
 local rock = material.elastic { E = 10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }
 return Scene {

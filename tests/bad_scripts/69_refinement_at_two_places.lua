@@ -1,5 +1,5 @@
--- expect 11: mesh.refine[1]: a refinement needs exactly one of at, point and joint
--- expect 11: mesh.refine[2]: a refinement needs exactly one of at, point and joint
+-- expect 11: at and joint are both said
+-- expect 11: mesh.refine[2]: needs exactly one of at, point and joint
 -- found by check
 local u = units
 local rock = material.elastic { E = 10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }

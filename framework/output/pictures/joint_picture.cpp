@@ -54,17 +54,15 @@ std::vector<Curve> curves_of(const model::RunResult& result, const std::string& 
 
 // The quantities that outputs.joints names for this joint; all if it names none.
 std::vector<Quantity> chosen(const model::Scene& scene, const std::string& joint) {
-  for (const core::Settings::Entry& entry : scene.outputs.entries) {
-    const core::Table* joints = entry.key == "joints" ? entry.value.table() : nullptr;
-    const core::Value* said = joints ? joints->find(joint) : nullptr;
-    if (!said || !said->table()) continue;
-    std::vector<Quantity> list;
-    for (const Quantity& q : quantities)
-      for (const core::Value& item : said->table()->items)
-        if (item.text() && *item.text() == q.name) list.push_back(q);
-    if (!list.empty()) return list;
-  }
-  return {quantities.begin(), quantities.end()};
+  const core::Settings::Entry* joints = scene.outputs.find("joints");
+  const core::Table* by_name = joints ? joints->value.table() : nullptr;
+  const core::Value* said = by_name ? by_name->find(joint) : nullptr;
+  std::vector<Quantity> list;
+  for (const Quantity& q : quantities)
+    for (const core::Value& item : said && said->table() ? said->table()->items : std::vector<core::Value>())
+      if (item.text() && *item.text() == q.name) list.push_back(q);
+  if (list.empty()) return {quantities.begin(), quantities.end()};
+  return list;
 }
 
 /// One set of axes: s to the right, a quantity upward.

@@ -13,17 +13,23 @@ namespace {
 
 // What the scene asks for in words.
 std::vector<std::string> words_of(const model::Scene& scene) {
-  for (const core::Settings::Entry& entry : scene.outputs.entries) {
-    if (entry.key != "pictures" || entry.value.is_nothing()) continue;
-    if (const bool* any = entry.value.boolean(); any && !*any) return {};
-    const core::Table* list = entry.value.table();
-    if (!list) continue;
-    std::vector<std::string> words;
-    for (const core::Value& item : list->items)
-      if (item.text()) words.push_back(*item.text());
-    return words;
-  }
-  return {"mesh", "deformed", "displacement", "ux", "uy", "syy", "s1", "s3", "joints"};
+  const core::Settings::Entry* pictures = scene.outputs.find("pictures");
+  if (const bool* any = pictures ? pictures->value.boolean() : nullptr; any && !*any) return {};
+  const core::Table* list = pictures ? pictures->value.table() : nullptr;
+  if (!list) return {"mesh", "deformed", "displacement", "ux", "uy", "syy", "s1", "s3", "joints"};
+  std::vector<std::string> words;
+  for (const core::Value& item : list->items)
+    if (item.text()) words.push_back(*item.text());
+  return words;
+}
+
+void warn_of_no_picture(const PictureSource& source, const std::string& word) {
+  const core::Settings::Entry* said = source.scene.outputs.find("pictures");
+  if (!said || !said->said) return;
+  std::vector<std::string> valid = {"mesh", "deformed", "joints"};
+  for (const model::FieldResult& field : source.stage.fields) valid.push_back(field.name);
+  core::log().warning(core::to_string(said->value.place) + ": there is nothing to draw for '" + word + "'; " +
+                      core::did_you_mean(word, valid) + ", and their components such as ux or sxx");
 }
 
 void add_joints(const model::Scene& scene, const model::RunResult& result, std::vector<Picture>& pictures) {
@@ -50,14 +56,16 @@ std::vector<Picture> chosen_pictures(const model::Scene& scene, const model::Mod
       pictures.push_back(mesh_picture(scene, model));
     } else if (word == "joints") {
       add_joints(scene, result, pictures);
-    } else if (!result.stages.empty()) {
-      const PictureSource source{scene, model, result.stages.back()};
+    } else if (!result.good().empty()) {
+      const PictureSource source{scene, model, result.good().back()};
       if (word == "deformed") {
         pictures.push_back(deformed_picture(source));
         continue;
       }
-      for (const std::string& quantity : quantities_of(source.stage, word))
+      for (const std::string& quantity : quantities_of(source.stage, word)) {
         pictures.push_back(field_picture(source, quantity));
+        if (pictures.back().name.empty()) warn_of_no_picture(source, word);
+      }
     }
   }
   std::erase_if(pictures, [](const Picture& picture) { return picture.name.empty(); });

@@ -206,8 +206,9 @@ TEST_F(Checks, objects_come_as_words_or_constructors) {
   check_one(p, make_value(std::string("sprung")));
   EXPECT_EQ(said(), "s.lua:2: p: there is no law 'sprung'\n    did you mean 'spring'? valid: none, spring\n");
   check_one(p, Builder().make("material.elastic"));
-  EXPECT_EQ(said(),
-            "s.lua:2: p: must be a law, got material.elastic { … }\n    valid: law.none, law.spring\n");
+  EXPECT_EQ(
+      said(),
+      "s.lua:2: p: must be a law, got material.elastic { … }\n    valid: law.none { … }, law.spring { … }\n");
   check_one(p, Builder().make("law.sprnig"));
   EXPECT_EQ(said(),
             "s.lua:2: p: there is no law 'law.sprnig'\n    did you mean 'law.spring'? valid: law.none, "
@@ -326,6 +327,76 @@ TEST(registry, makers_arrive_when_the_module_is_opened) {
   EXPECT_THROW(registry.make<int(int)>("law", "sprung"), InputError);
   EXPECT_THROW(registry.make<int(int)>("lw", "spring"), InputError);
   EXPECT_THROW(registry.add_make("law", "unknown", std::function<int(int)>()), InputError);
+}
+
+TEST_F(Checks, alternatives_are_counted) {
+  const auto said_of = [&](Alternative alternative, const std::vector<std::string>& keys) {
+    mistakes = {};
+    const Schema schema{"thing",
+                        "thing",
+                        "Thing",
+                        "",
+                        {parameter("a", only(Form::number)), parameter("b", only(Form::number)),
+                         parameter("c", only(Form::number))},
+                        {std::move(alternative)}};
+    Builder table;
+    for (const std::string& key : keys) table.set(key, make_value(1.0));
+    check(table.make(), schema, registry, mistakes);
+    return said();
+  };
+  const Alternative one{{"a", "b"}};
+  EXPECT_EQ(said_of(one, {"b"}), "");
+  EXPECT_EQ(said_of(one, {}),
+            "s.lua:1: needs exactly one of a and b, got none of them\n"
+            "    `ashlar describe Thing` tells what each means\n");
+  EXPECT_EQ(said_of(one, {"b", "a"}), "s.lua:3: a: a and b are both said\n    say exactly one of a and b\n");
+  EXPECT_EQ(said_of({{"a", "b", "c"}, 0, 1}, {}), "");
+  EXPECT_EQ(said_of({{"a", "b", "c"}, 0, 2}, {"a", "b", "c"}),
+            "s.lua:4: c: a and b and c are all said\n    say at most 2 of a, b and c\n");
+  EXPECT_EQ(said_of({{"a", "b"}, 1, 2}, {"a", "b"}), "");
+  EXPECT_EQ(said_of({{"a", "b"}, 1, 2}, {}).find("needs at least one of a and b"), 9u);
+  // A misspelt key is the one mistake, not two.
+  EXPECT_EQ(said_of(one, {"d"}).find("s.lua:2: d: unknown key 'd'"), 0u);
+  EXPECT_EQ(said().find("needs"), std::string::npos);
+  EXPECT_NE(describe({"thing", "thing", "", "", {}, {one}}).find("say exactly one of a and b"),
+            std::string::npos);
+}
+
+TEST_F(Checks, a_wrong_value_keeps_its_place) {
+  Parameter map = parameter("p", only(Form::map));
+  map.each = each(parameter("", only(Form::number), "m"));
+  const Settings settings = check_one(map, Builder().set("x", quantity(1, "Pa")).make());
+  EXPECT_EQ(said(), "s.lua:2: x: must be in m, got 1 Pa\n    for example 2*units.m\n");
+  const Value& item = settings.value("p").table()->entries[0].second;
+  EXPECT_TRUE(item.is_nothing());
+  EXPECT_EQ(to_string(item.place), "s.lua:2: x");
+}
+
+TEST_F(Checks, the_commonest_slips_are_answered) {
+  check_one(parameter("p", only(Form::number), "Pa"), make_value(std::string("3.5 kN/m^2")));
+  EXPECT_NE(said().find("units are multiplied: 3.5*units.kN/units.m^2"), std::string::npos) << said();
+  check_one(parameter("p", only(Form::number)), make_value(std::string("3 apples")));
+  EXPECT_EQ(said().find("multiplied"), std::string::npos) << said();
+  Parameter list = parameter("p", only(Form::list));
+  list.each = each(parameter("", only(Form::text)));
+  check_one(list, make_value(std::string("top")));
+  EXPECT_NE(said().find("put it into braces: { \"top\" }"), std::string::npos) << said();
+  Parameter law = parameter("p", only(Form::list));
+  law.kind = "law";
+  check_one(law, Builder().make("law.spring"));
+  EXPECT_NE(said().find("put it into braces: { law.spring { … } }"), std::string::npos) << said();
+  registry.add_schema({"stage", "stage", "Stage", "", {parameter("", only(Form::text))}});
+  law.kind = "stage";
+  check_one(law, Builder().set("gravity", make_value(true)).make());
+  EXPECT_NE(said().find("each item is Stage { … }"), std::string::npos) << said();
+  Parameter stage = parameter("p", only(Form::object));
+  stage.kind = "stage";
+  check_one(stage, make_value(std::string("w")));
+  EXPECT_NE(said().find("must be a stage, got the text \"w\"\n    valid: Stage { … }"), std::string::npos)
+      << said();
+  // One entry may stand where a list of them could: its keys tell.
+  law.forms = Form::object | Form::list;
+  EXPECT_TRUE(check_one(law, Builder().set("x", make_value(1.0)).make()).entry("p").object);
 }
 
 }  // namespace

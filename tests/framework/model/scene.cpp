@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/log.hpp"
 #include "model/plan.hpp"
+#include "model/scene_names.hpp"
 
 namespace ashlar::model {
 namespace {
@@ -187,6 +189,58 @@ TEST(scene, every_mistake_is_reported_at_once) {
   EXPECT_NE(text.find("must be above 0 m"), std::string::npos) << text;
   EXPECT_NE(text.find("what the region is made of"), std::string::npos) << text;
   EXPECT_EQ(text.find("there is no edge"), std::string::npos) << "follows from the broken region: " << text;
+}
+
+TEST(scene, loads_on_held_edges_are_warned_of) {
+  core::Registry kinds = registry();
+  const Scene scene = sound(
+      scene_with(
+          {{"stages",
+            made("", {made("Stage", {word("first")},
+                           {{"push", made("", {}, {{"block.bottom", number(1)}, {"block.top", number(1)}})}}),
+                      made("Stage", {word("second")})})}}),
+      kinds);
+  core::log().clear();
+  warn_of_held_loads(scene, kinds);
+  ASSERT_EQ(core::log().lines().size(), 1u) << "once, although the second stage inherits it";
+  EXPECT_NE(core::log().lines()[0].second.find("'block.bottom' is held in x and y in stage 'first'"),
+            std::string::npos);
+  Scene half = scene;
+  for (StageData& stage : half.stages) stage.supports[0].move[0].reset();
+  core::log().clear();
+  warn_of_held_loads(half, kinds);
+  EXPECT_TRUE(core::log().lines().empty());
+}
+
+TEST(scene, files_are_looked_for_from_the_scripts_folder) {
+  const auto said = [](const std::string& file, const std::string& script) {
+    core::Mistakes mistakes;
+    check_name(file, "file", {script, 3, "mesh.path"}, {}, mistakes);
+    return mistakes.empty() ? "" : mistakes.list()[0].what;
+  };
+  const std::string here = ASHLAR_SOURCE_DIR "/tests/framework/model";
+  EXPECT_EQ(said("scene.cpp", here + "/scene.lua"), "");
+  EXPECT_EQ(said(here + "/scene.cpp", "elsewhere/scene.lua"), "");
+  EXPECT_EQ(said("nothing.msh", here + "/scene.lua"), "there is no file '" + here + "/nothing.msh'");
+  EXPECT_EQ(said("../model", here + "/scene.lua"), "'" + here + "/../model' is no regular file");
+}
+
+TEST(scene, undefined_values_do_not_bring_mistakes_of_their_own) {
+  // What an undefined name leaves behind was reported by the script's reader.
+  const Value nothing{here(), {}};
+  const Value holed = made("Rectangle", {},
+                           {{"from", made("", {number(0), number(0)})},
+                            {"to", made("", {nothing, number(1)})},
+                            {"material", word("stone")}});
+  EXPECT_EQ(mistakes_of(scene_with({{"geometry", made("", {}, {{"block", holed}})}})), "");
+  const Value cut =
+      made("Polygon", {corner(0, 0, "bottom"), made("", {nothing, number(0)}), corner(1, 1, "top")},
+           {{"material", word("stone")}});
+  core::Registry kinds = registry();
+  core::Mistakes mistakes;
+  const Scene scene = read_scene(scene_with({{"geometry", made("", {}, {{"block", cut}})}}), kinds, mistakes);
+  EXPECT_TRUE(mistakes.empty());
+  EXPECT_FALSE(scene.drawn) << "what is not whole must not be arranged";
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/free_motions.hpp"
+
 namespace ashlar::model {
 namespace {
 
@@ -86,6 +88,28 @@ TEST(support_check, probes_lie_in_the_body) {
   ASSERT_EQ(mistakes.list().size(), 1u);
   EXPECT_EQ(to_string(mistakes.list()[0]),
             "a.lua:4: x: the point lies outside every region, 1 m from the nearest border");
+}
+
+TEST(support_check, the_advice_names_an_edge_of_the_body) {
+  Scene scene;
+  scene.stages.resize(1);
+  core::Mistakes mistakes;
+  check_support(scene, squares(1), mistakes);
+  ASSERT_EQ(mistakes.list().size(), 2u);
+  for (const core::Mistake& mistake : mistakes.list()) {
+    const std::string name = mistake.what.find("'rock'") != std::string::npos ? "rock" : "dam";
+    EXPECT_EQ(mistake.advice, "add to supports, for example [\"" + name + ".bottom\"] = \"xy\"");
+  }
+}
+
+TEST(free_motions, oblique_slides_are_named_by_their_direction) {
+  FreeMotions motions({0, 0}, 10);
+  EXPECT_EQ(motions.words(), "slide in x, slide in y and rotate");
+  motions.hold({0, 0}, 0);
+  motions.hold({0, 0}, 1);
+  EXPECT_EQ(motions.words(), "rotate about (0, 0)");
+  motions.hold({0, 3}, 0);
+  EXPECT_EQ(motions.words(), "");
 }
 
 }  // namespace

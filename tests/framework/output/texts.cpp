@@ -93,8 +93,30 @@ TEST(summary, says_why_a_stage_failed) {
   Sample sample = make_sample(1);
   sample.result.stages[1].converged = false;
   sample.result.stages[1].reason = "the contact state repeats";
-  EXPECT_NE(iterations_text(sample.result).find("reservoir did not converge: the contact state repeats"),
-            std::string::npos);
+  sample.result.stages[1].advice = "smaller cells";
+  sample.plan.stages.push_back({"reservoir", {}});
+  sample.plan.stages.push_back({"flood", {}});
+  const std::string text = summary(sample.record(), {});
+  for (const char* words :
+       {"Not converged: stage reservoir\n  the contact state repeats\n  What to try: smaller cells\n",
+        "the stages before it, the last one self-weight.", "self-weight: gravity\n",
+        "reservoir: did not converge\n", "flood: not run\n", "Extreme values, stage self-weight",
+        "step  iteration  residual  closed  opened\n", "3.0e-02      20       3\n"})
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\nin\n" << text;
+  // Nothing of the failed stage looks like a result.
+  EXPECT_EQ(balance_text(sample.result).find("reservoir"), std::string::npos);
+  EXPECT_EQ(iterations_text(sample.result).find("reservoir"), std::string::npos);
+}
+
+TEST(summary, says_so_if_no_stage_was_completed) {
+  Sample sample = make_sample(1);
+  sample.result.stages.resize(1);
+  sample.result.stages[0].converged = false;
+  sample.result.stages[0].iterations.assign(40, {1, 1, 0.5, {}});
+  const std::string text = summary(sample.record(), {});
+  EXPECT_NE(text.find("No stage was completed."), std::string::npos) << text;
+  EXPECT_NE(text.find("the last 12 of 40 iterations"), std::string::npos) << text;
+  EXPECT_EQ(text.find("Loads and reactions"), std::string::npos) << text;
 }
 
 TEST(text_table, wraps_and_counts_characters) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/log.hpp"
 #include "output/files.hpp"
+#include "output/store.hpp"
 #include "sample.hpp"
 
 namespace ashlar::output {
@@ -31,15 +33,40 @@ TEST(write_all, a_run_that_did_not_converge_spares_earlier_results) {
   write_results(sample.record(), out);
   const std::string earlier = slurp(out / "probes.csv");
   sample.result.converged = false;
-  sample.result.stages.pop_back();
+  sample.result.stages.back().converged = false;  // with fields, which no march would give it
+  sample.result.stages.back().joints.clear();
+  sample.result.stages.back().probes.clear();
   const auto files = write_results(sample.record(), out);
+  EXPECT_TRUE(fs::exists(out / "unconverged/vtu/01_self-weight.vtu"));
+  EXPECT_FALSE(fs::exists(out / "unconverged/vtu/02_reservoir.vtu"));
+  EXPECT_EQ(slurp(out / "unconverged/results.pvd").find("reservoir"), std::string::npos);
+  EXPECT_TRUE(read_names(out / "unconverged/results.h5", "/stages/01 self-weight/fields").size() > 0);
+  EXPECT_EQ(read_names(out / "unconverged/results.h5", "/stages/02 reservoir"),
+            std::vector<std::string>{"iterations"});
   EXPECT_EQ(slurp(out / "probes.csv"), earlier);
   EXPECT_EQ(files[0], out / "unconverged" / "results.h5");
   EXPECT_NE(slurp(out / "unconverged" / "probes.csv"), earlier);
   // The next run that converges takes the failed one's files away.
-  sample.result.converged = true;
+  sample.result.converged = sample.result.stages.back().converged = true;
   write_results(sample.record(), out);
   EXPECT_FALSE(fs::exists(out / "unconverged"));
+}
+
+TEST(write_all, warns_of_a_picture_that_cannot_be_drawn) {
+  Sample sample = make_sample(1);
+  core::Settings::Entry entry;
+  entry.key = "pictures";
+  entry.said = true;
+  entry.value =
+      core::make_value(core::Table{"", {core::make_value(std::string("stres"))}, {}}, {"a.lua", 7, "p"});
+  sample.scene.outputs.entries = {entry};
+  core::log().clear();
+  write_results(sample.record(), fresh_folder("pictures"));
+  ASSERT_EQ(core::log().lines().size(), 1u);
+  EXPECT_EQ(core::log().lines()[0].second.rfind(
+                "a.lua:7: p: there is nothing to draw for 'stres'; did you mean 'stress'?", 0),
+            0u)
+      << core::log().lines()[0].second;
 }
 
 TEST(write_all, formats_choose) {

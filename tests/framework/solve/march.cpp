@@ -198,8 +198,8 @@ TEST(March, SaysWhatCanMoveWhereNothingHolds) {
     FAIL() << "a sliding body was solved";
   } catch (const ashlar::core::InputError& error) {
     ASSERT_EQ(error.mistakes().size(), 1u);
-    EXPECT_NE(error.mistakes()[0].what.find("slide along x"), std::string::npos) << error.mistakes()[0].what;
-    EXPECT_EQ(error.mistakes()[0].what.find("turn"), std::string::npos) << error.mistakes()[0].what;
+    EXPECT_NE(error.mistakes()[0].what.find("slide in x"), std::string::npos) << error.mistakes()[0].what;
+    EXPECT_EQ(error.mistakes()[0].what.find("rotate"), std::string::npos) << error.mistakes()[0].what;
   }
 }
 

@@ -68,8 +68,12 @@ TEST(contact_scene, penalties_are_positive_and_said_once) {
 TEST(contact_scene, the_slave_is_one_of_the_sides) {
   const std::string text =
       mistakes_with("friction = \"none\", sides = { \"upper\", \"lower\" }, slave = \"uper\"");
-  EXPECT_TRUE(holds(text, "joint 'fault' has no side 'uper'")) << text;
-  EXPECT_TRUE(holds(text, "did you mean 'upper'")) << text;
+  EXPECT_TRUE(holds(text, "joint 'fault' has no lip 'uper'")) << text;
+  EXPECT_TRUE(holds(text, "valid: fault.upper, fault.lower")) << text;
+  for (const char* name : {"lower", "fault.lower"})
+    EXPECT_EQ(mistakes_with("friction = \"none\", sides = { \"upper\", \"lower\" }, slave = \"" +
+                            std::string(name) + "\""),
+              "");
 }
 
 TEST(contact_scene, outputs_may_name_the_joints_fields) {

@@ -71,10 +71,9 @@ TEST(elastic, refuses_what_has_no_solution_and_says_where) {
   EXPECT_TRUE(make_elastic(settings(0.5, true, false), Plane::stress, mistakes));
   EXPECT_TRUE(make_elastic(settings(0.4999, false, true), Plane::strain, mistakes));
   EXPECT_TRUE(mistakes.empty());
-  EXPECT_FALSE(make_elastic(settings(0.5, true, true), Plane::strain, mistakes));
-  ASSERT_EQ(mistakes.list().size(), 2u);
+  EXPECT_FALSE(make_elastic(settings(0.5, true, false), Plane::strain, mistakes));
+  ASSERT_EQ(mistakes.list().size(), 1u);
   EXPECT_EQ(mistakes.list()[0].place.path, "nu");
-  EXPECT_EQ(mistakes.list()[1].place.path, "density");
 }
 
 }  // namespace

@@ -44,6 +44,9 @@ TEST(loads_scene, mistakes_have_their_place) {
   EXPECT_TRUE(holds(text("pressures = { [\"rock.top\"] = 1*u.m }"), "must be in Pa"));
   EXPECT_TRUE(holds(text("pressures = { [\"rock.top\"] = { {0, 1}, {0, 2} } }"), "heights must ascend"));
   EXPECT_TRUE(holds(text("tractions = { [\"rock.top\"] = { z = 1 } }"), "unknown key 'z'"));
+  EXPECT_TRUE(holds(text("tractions = { [\"rock.top\"] = {} }"), "needs at least one of x and y"));
+  EXPECT_TRUE(holds(text("forces = { Force { at = {1, 1} } }"), "needs at least one of x and y"));
+  EXPECT_EQ(text("forces = { Force { at = {1, 1}, x = 1, y = 1 } }"), "");
   EXPECT_TRUE(holds(text("forces = { Force { x = 1 } }"), "at: is missing"));
   EXPECT_TRUE(holds(text("forces = { Force { at = {1, 1}, x = 1, lip = \"fault.uper\" } }"), "fault.left"));
   EXPECT_TRUE(holds(text("couples = { Couple { between = { {1, 1} }, moment = 1 } }"), "two places"));

@@ -241,7 +241,5 @@ TEST(voronoi, reports_wrong_settings) {
     const std::string text = mistake(domain, settings);
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
-  says(GeneratorSettings(), "either size or cells");
-  says(GeneratorSettings().set("size", 1).set("cells", 100), "either size or cells");
   says(GeneratorSettings().set("size", function_value(std::make_shared<Negative>())), "above 0 m");
 }

@@ -128,9 +128,6 @@ TEST(water, faces_must_exist_and_lie_outside) {
 TEST(water, mistakes_in_the_scene) {
   EXPECT_EQ(mistakes_of(Water(), Said().say("water", value(true)).settings).size(), 1u);
   EXPECT_EQ(mistakes_of(Water(), Said().say("water", value(false)).settings).size(), 0u);
-  Said both;
-  both.say("level", value(1.0)).say("on", list({})).say("density", value(1e3)).say("unit_weight", value(1e4));
-  EXPECT_EQ(mistakes_of(Water(), Said().object("water", both.settings).settings).size(), 1u);
 }
 
 }  // namespace

@@ -1,0 +1,13 @@
+-- expect 9: 'm' is not defined
+-- expect: did you mean 'units.m'?
+-- found by check
+local u = units
+local rock = material.elastic { E = 10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }
+return Scene {
+  title = "A block of rock",
+  plane = "strain",
+  geometry = { rock = Rectangle { from = {0,0}, to = {10*m,5}, material = rock } },
+  mesh = mesh.voronoi { size = 1 },
+  supports = { ["rock.bottom"] = "xy" },
+  stages = { Stage { "self-weight", gravity = true } },
+}

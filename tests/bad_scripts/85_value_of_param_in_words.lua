@@ -1,0 +1,15 @@
+-- expect: --set level: must be of the kind of its default, 15 m; got "12 m"
+-- expect: units are multiplied: --set level=12*m
+-- options: --set level="12 m"
+-- found by check
+local level = param { "level", default = 15*units.m }
+local u = units
+local rock = material.elastic { E = 10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }
+return Scene {
+  title = "A block of rock",
+  plane = "strain",
+  geometry = { rock = Rectangle { from = {0,0}, to = {10,5}, material = rock } },
+  mesh = mesh.voronoi { size = 1 },
+  supports = { ["rock.bottom"] = "xy" },
+  stages = { Stage { "self-weight", gravity = true } },
+}
