@@ -60,7 +60,7 @@ std::string form_advice(const Value& value, const Parameter& parameter, const Re
   const bool numbers = allows(parameter.forms, Form::number) || allows(parameter.forms, Form::point);
   if (numbers && !product.empty()) return "units are multiplied: " + product;
   if (allows(parameter.forms, Form::list)) {
-    const std::string advice = brace_advice(value, item_of(parameter), registry);
+    std::string advice = brace_advice(value, item_of(parameter), registry);
     if (!advice.empty()) return advice;
   }
   if (allows(parameter.forms, Form::object)) return ways_to_say(parameter.kind, registry);
@@ -79,7 +79,7 @@ std::string entry_advice(const Value& value, const std::string& word, const std:
                          const Registry& registry) {
   if (value.table()) return did_you_mean(word, constructors(kind, registry));
   const std::vector<std::string> names = registry.names(kind);
-  const std::string advice = did_you_mean(word, names);
+  std::string advice = did_you_mean(word, names);
   // "rock" in quotes was meant as the script's own rock.
   const bool own = nearest(word, names).empty() && !constructors(kind, registry).empty();
   return own ? advice + "; names that the script made itself stand without quotes" : advice;

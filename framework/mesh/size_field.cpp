@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "mesh/quadtree.hpp"
+
 namespace ashlar::mesh {
 
 namespace {
@@ -173,15 +175,7 @@ void SizeField::prepare() {
 double SizeField::at(Point p, Index region) const {
   double size = base(p, region);
   if (sources_.empty()) return size;
-  Index node = 0;
-  Point center = center_;
-  double half = half_;
-  while (nodes_[node].child >= 0) {
-    half *= 0.5;
-    const bool right = p.x > center.x, up = p.y > center.y;
-    center = center + Point{right ? half : -half, up ? half : -half};
-    node = nodes_[node].child + (right ? 1 : 0) + (up ? 2 : 0);
-  }
+  const Index node = leaf_at(nodes_, center_, half_, p);
   for (Index k = nodes_[node].begin; k < nodes_[node].end; ++k) {
     size = std::min(size, value_of(sources_[lists_[k]], p));
   }

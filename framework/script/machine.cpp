@@ -297,15 +297,19 @@ void Machine::mark_here(lua_State* L, int index) {
     }
 }
 
-std::string Machine::word(lua_State* L, int index) const {
+std::string text_of(lua_State* L, const void* registry_key, int index) {
   index = lua_absindex(L, index);
-  lua_rawgetp(L, LUA_REGISTRYINDEX, &words_key);
+  lua_rawgetp(L, LUA_REGISTRYINDEX, registry_key);
   lua_pushvalue(L, index);
   lua_rawget(L, -2);
   const char* text = lua_tostring(L, -1);
   std::string word = text ? text : "";
   lua_pop(L, 2);
   return word;
+}
+
+std::string Machine::word(lua_State* L, int index) const {
+  return text_of(L, &words_key, index);
 }
 
 void Machine::set_word(lua_State* L, int index, const std::string& word) {

@@ -124,4 +124,7 @@ int guarded(lua_State* L) {
 /// Reads a file whole. Throws InputError.
 std::string read_text(const std::filesystem::path& path);
 
+/// The text that a table in Lua's registry holds for the value at `index`; empty if it holds none.
+std::string text_of(lua_State* L, const void* registry_key, int index);
+
 }  // namespace ashlar::script

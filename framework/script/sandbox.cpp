@@ -216,14 +216,7 @@ void add_global(lua_State* L, const char* name, lua_CFunction function) {
 
 std::string constructor_word(lua_State* L, int index) {
   if (!lua_iscfunction(L, index)) return {};
-  index = lua_absindex(L, index);
-  lua_rawgetp(L, LUA_REGISTRYINDEX, &constructors_key);
-  lua_pushvalue(L, index);
-  lua_rawget(L, -2);
-  const char* text = lua_tostring(L, -1);
-  std::string word = text ? text : "";
-  lua_pop(L, 2);
-  return word;
+  return text_of(L, &constructors_key, index);
 }
 
 void make_sandbox(lua_State* L, const Surroundings& surroundings) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "corners.hpp"
+#include "mesh/quadtree.hpp"
 #include "random.hpp"
 
 namespace ashlar::meshing_voronoi {
@@ -155,15 +156,7 @@ void Cover::add_leaf(Index node, Point center, double half, const std::vector<In
 }
 
 Index Cover::ball_at(Point p) const {
-  Index node = 0;
-  Point center = center_;
-  double half = half_;
-  while (nodes_[node].child >= 0) {
-    half *= 0.5;
-    const bool right = p.x > center.x, up = p.y > center.y;
-    center = center + Point{right ? half : -half, up ? half : -half};
-    node = nodes_[node].child + (right ? 1 : 0) + (up ? 2 : 0);
-  }
+  const Index node = mesh::leaf_at(nodes_, center_, half_, p);
   for (Index k = nodes_[node].begin; k < nodes_[node].end; ++k) {
     const Ball& ball = balls_[lists_[k]];
     if (geometry::distance(p, ball.center) < keep_off * ball.radius) return lists_[k];
