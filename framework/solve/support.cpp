@@ -6,7 +6,6 @@
 
 namespace ashlar::solve {
 
-using geometry::Point;
 using mesh::Index;
 
 namespace {
