@@ -203,6 +203,22 @@ TEST(March, SaysWhatCanMoveWhereNothingHolds) {
   }
 }
 
+TEST(March, APointFixedWhereItIsCannotBeHeldElsewhere) {
+  World world;
+  world.stage("push", -1).supports = {World::fix("square.bottom")};
+  world.stage("clash", 0).supports = {World::fix("square.bottom"), World::fix("square.top"),
+                                      World::hold("square.right", 0, std::nullopt)};
+  world.contribute([&](const auto&, auto& terms) {
+    terms.stiffness.push_back(world.springs);
+    terms.loads.push_back(std::make_shared<toy::PointLoad>(x2, 10));
+  });
+  const auto result = world.run();
+  EXPECT_FALSE(result.converged);
+  ASSERT_EQ(result.stages.size(), 2u);
+  EXPECT_NE(result.stages[1].reason.find("is fixed where it is, displaced by"), std::string::npos)
+      << result.stages[1].reason;
+}
+
 TEST(March, ReportsAMissingEdgeAndAClash) {
   World world;
   auto& stage = world.stage("bad", -1);

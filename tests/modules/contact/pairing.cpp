@@ -109,6 +109,29 @@ TEST(node_to_segment, corners_keep_the_normal_of_each_leg) {
   }
 }
 
+// Two cells above and two below a path that turns by an angle at (1, 0).
+model::Model bent(double angle) {
+  const Point end{1 + std::cos(angle), std::sin(angle)};
+  std::vector<Point> points = {{0, -1}, {1, -1}, end - Point{0, 1}, {0, 0}, {1, 0}, end, {0, 0}, {1, 0}, end,
+                               {0, 1},  {1, 1},  end + Point{0, 1}};
+  mesh::Mesh mesh = hand_mesh(points, {{0, 1, 4, 3}, {1, 2, 5, 4}, {6, 7, 10, 9}, {7, 8, 11, 10}});
+  mesh.joints.push_back({"bend", {"upper", "lower"}, {lip(mesh, {6, 7, 8}), lip(mesh, {3, 4, 5})}});
+  return plain_model(std::move(mesh));
+}
+
+TEST(node_to_segment, gentle_kinks_are_one_point_with_the_normal_between_and_sharp_ones_two) {
+  const double gentle = 0.35, sharp = 0.7;  // chords of a curve, corners of a path
+  const model::Model curve = bent(gentle), corner = bent(sharp);
+  const auto points = pairs(curve);
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_NEAR(points[1].normal.x, -std::sin(gentle / 2), 1e-12);
+  EXPECT_NEAR(points[1].normal.y, std::cos(gentle / 2), 1e-12);
+  // A uniform pressure on both halves pushes along that normal with this length.
+  EXPECT_NEAR(points[1].weight, std::cos(gentle / 2), 1e-12);
+  EXPECT_EQ(pairs(corner).size(), 4u);
+  EXPECT_NEAR(total(pairs(corner), &ContactPoint::weight), 2, 1e-12);
+}
+
 // Four unit squares around the origin, all apart: joint "level" along x, "upright" along y.
 TEST(node_to_segment, crossings_pair_on_their_own_side) {
   std::vector<Point> points;
