@@ -40,7 +40,7 @@ TEST(write_all, a_run_that_did_not_converge_spares_earlier_results) {
   EXPECT_TRUE(fs::exists(out / "unconverged/vtu/01_self-weight.vtu"));
   EXPECT_FALSE(fs::exists(out / "unconverged/vtu/02_reservoir.vtu"));
   EXPECT_EQ(slurp(out / "unconverged/results.pvd").find("reservoir"), std::string::npos);
-  EXPECT_TRUE(read_names(out / "unconverged/results.h5", "/stages/01 self-weight/fields").size() > 0);
+  EXPECT_FALSE(read_names(out / "unconverged/results.h5", "/stages/01 self-weight/fields").empty());
   EXPECT_EQ(read_names(out / "unconverged/results.h5", "/stages/02 reservoir"),
             std::vector<std::string>{"iterations"});
   EXPECT_EQ(slurp(out / "probes.csv"), earlier);
