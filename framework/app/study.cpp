@@ -68,35 +68,17 @@ std::string inputs_of(const Scenario& scenario, const std::string& settings, con
   return study::hash_text(text);
 }
 
-/// A mistake at "--set cells" is one of the study's own lines.
-core::Mistake in_study(const core::Mistake& mistake, const study::Case& one) {
-  core::Mistake changed = mistake;
-  for (const study::Setting& setting : one.settings)
-    if (mistake.place.file == "--set " + setting.key) changed.place = setting.value.place;
-  const std::string own = "the script has no parameter";
-  if (changed.what.starts_with(own)) changed.what = "the scene has no parameter" + changed.what.substr(own.size());
-  return changed;
-}
-
-/// Mistakes of many cases, each told once.
+/// Mistakes of many cases, each told once, with a case that has it.
 class Gathered {
  public:
-  void add(const core::InputError& error, const study::Case& one) {
-    for (const core::Mistake& mistake : error.mistakes()) add(in_study(mistake, one), one);
-  }
-  void add(const core::Mistake& mistake, const study::Case& one) {
-    // A parameter that is not there is missing in every case, at each of its values.
-    const std::string key = (mistake.what.find("no parameter") != std::string::npos ? "" : core::to_string(mistake.place)) +
-                            mistake.what;
-    for (Entry& entry : entries_)
-      if (entry.key == key) return void(++entry.count);
-    entries_.push_back({key, mistake, study::label(one), 1});
+  void add(const std::vector<core::Mistake>& mistakes, const study::Case& one) {
+    for (const core::Mistake& mistake : mistakes) add(mistake, one);
   }
   void tell(std::size_t cases, core::Mistakes& mistakes) const {
     for (const Entry& entry : entries_) {
-      const bool all = entry.count >= cases || entry.mistake.what.find("in the case") != std::string::npos;
-      mistakes.add(entry.mistake.place, entry.mistake.what + (all ? "" : ", in the case " + entry.label),
-                   entry.mistake.advice);
+      std::string where = entry.own || entry.count == cases ? "" : ", in the case " + entry.label;
+      if (!where.empty() && entry.count > 1) where += " and " + std::to_string(entry.count - 1) + " more";
+      mistakes.add(entry.mistake.place, entry.mistake.what + where, entry.mistake.advice);
     }
   }
 
@@ -105,8 +87,32 @@ class Gathered {
     std::string key;
     core::Mistake mistake;
     std::string label;
+    bool own;  ///< of one of the study's own lines, which tells the case
     std::size_t count;
   };
+
+  void add(core::Mistake mistake, const study::Case& one) {
+    bool own = false;
+    for (const study::Setting& setting : one.settings) {
+      if (mistake.place.file != "--set " + setting.key) continue;
+      mistake.place = setting.value.place;
+      own = true;
+    }
+    std::string key = core::to_string(mistake.place) + mistake.what;
+    // A parameter that is not there is missing at each of its values.
+    const std::string missing = "the script has no parameter";
+    if (own && mistake.what.starts_with(missing)) {
+      mistake.what = "the scene has no parameter" + mistake.what.substr(missing.size());
+      key = mistake.what;
+    }
+    for (Entry& entry : entries_)
+      if (entry.key == key) {
+        ++entry.count;
+        return;
+      }
+    entries_.push_back({key, std::move(mistake), study::label(one), own, 1});
+  }
+
   std::vector<Entry> entries_;
 };
 
@@ -131,11 +137,11 @@ void look_at_cases(const CommandLine& line, Plan& plan, core::Mistakes& mistakes
     try {
       const auto scenario = read_scenario(scene);
       core::Mistakes lacks;
-      study::check_measures(plan.study, one, study::facts_of(scenario->scene), lacks);
-      for (const core::Mistake& mistake : lacks.list()) gathered.add(mistake, one);
+      study::check_measures(plan.study, study::facts_of(scenario->scene), lacks);
+      gathered.add(lacks.list(), one);
       job.inputs = inputs_of(*scenario, settings, program);
     } catch (const core::InputError& error) {
-      gathered.add(error, one);
+      gathered.add(error.mistakes(), one);
     }
     plan.jobs.push_back(std::move(job));
   }
@@ -151,7 +157,8 @@ Plan read_plan(const CommandLine& line) {
   options.library = script_folders();
   options.returns = {"Study"};
   plan.script = script::read_scene(line.words.front(), plan.registry, options, mistakes);
-  if (!plan.script.scene.is_nothing() && plan.script.scene.table())
+  const core::Table* said = plan.script.scene.table();
+  if (said && said->constructor == "Study")
     plan.study = study::read_study(plan.script.scene, plan.registry, mistakes);
   mistakes.throw_if_any();
   if (line.threads > 0) plan.study.threads = line.threads;

@@ -9,8 +9,6 @@ namespace ashlar::study {
 
 namespace {
 
-constexpr double floor_of_errors = 1e-15;  // relative; below it is round-off
-
 std::string problem_of(const Study& study, const Case& one) {
   Case only;
   for (const Setting& setting : one.settings)
@@ -24,7 +22,7 @@ std::vector<Series> make_series(const Study& study, const std::vector<Outcome>& 
   std::vector<Series> all;
   for (std::size_t c = 0; c < outcomes.size(); ++c) {
     if (!outcomes[c].ok) continue;
-    const std::string name = label(study.cases[c], apart), problem = problem_of(study, study.cases[c]);
+    const std::string name = series_label(study.cases[c], apart), problem = problem_of(study, study.cases[c]);
     auto found = std::ranges::find_if(
         all, [&](const Series& series) { return series.label == name && series.problem == problem; });
     if (found == all.end()) found = all.insert(all.end(), {name, problem, {}});
@@ -38,8 +36,8 @@ std::vector<Series> make_series(const Study& study, const std::vector<Outcome>& 
 class Examiner {
  public:
   Examiner(const Study& study, const std::vector<Outcome>& outcomes, const std::vector<Series>& series,
-           const Exact& exact)
-      : study_(study), outcomes_(outcomes), series_(series), exact_(exact) {}
+           const Exact& exact, bool sizes_differ)
+      : study_(study), outcomes_(outcomes), series_(series), exact_(exact), sizes_differ_(sizes_differ) {}
 
   Finding examine(std::size_t measure, const std::string& problem) {
     Finding finding;
@@ -112,7 +110,7 @@ class Examiner {
     char order[32] = "";
     if (!std::isnan(best->found.order)) std::snprintf(order, sizeof order, ", order %.2f", best->found.order);
     finding.reference = {best->found.limit, best->found.uncertainty,
-                         "the limit of the runs with " + best->series + order, {}};
+                         "the limit of the runs" + (best->series.empty() ? "" : " with " + best->series) + order, {}};
     if (!best->found.sound) finding.reference.how += "; a wide bracket, for " + best->found.why;
     widen_by_others(finding, *best);
   }
@@ -161,6 +159,7 @@ class Examiner {
   }
 
   void find_front(Finding& finding) const {
+    if (!sizes_differ_) return;
     std::vector<Bargain> bargains;
     std::vector<std::size_t> of;
     for (std::size_t r = 0; r < finding.readings.size(); ++r) {
@@ -187,6 +186,7 @@ class Examiner {
   const std::vector<Outcome>& outcomes_;
   const std::vector<Series>& series_;
   const Exact& exact_;
+  bool sizes_differ_;
 };
 
 // Where every problem has but one run, the study is one of problems, and all are one finding.
@@ -222,11 +222,11 @@ Analysis analyse(const Study& study, const std::vector<Outcome>& outcomes, const
   std::vector<std::string> problems;
   for (const Series& series : analysis.series)
     if (std::ranges::find(problems, series.problem) == problems.end()) problems.push_back(series.problem);
-  Examiner examiner(study, outcomes, analysis.series, exact);
+  Examiner examiner(study, outcomes, analysis.series, exact, analysis.sizes_differ);
   for (std::size_t m = 0; m < study.measures.size(); ++m)
     for (const std::string& problem : problems) {
       Finding finding = examiner.examine(m, problem);
-      finding.sentences = sentences_of(study, finding, outcomes);
+      finding.sentences = sentences_of(study, finding, outcomes, analysis.sizes_differ);
       analysis.findings.push_back(std::move(finding));
     }
   return analysis;

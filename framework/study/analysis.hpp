@@ -14,6 +14,9 @@ namespace ashlar::study {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+/// Relative errors below this are round-off: nothing is to be had for more cost.
+constexpr double floor_of_errors = 1e-12;
+
 /// Cases that differ in the refined parameter only, from coarse to fine.
 struct Series {
   std::string label;               ///< "mesh = voronoi"
@@ -78,10 +81,12 @@ Analysis analyse(const Study& study, const std::vector<Outcome>& outcomes, const
 
 /// Fills the ladder too. "0.1 % of the settlement of the crest costs 0.40 s with mesh = voronoi; …"
 std::vector<std::string> sentences_of(const Study& study, Finding& finding,
-                                      const std::vector<Outcome>& outcomes);
+                                      const std::vector<Outcome>& outcomes, bool sizes_differ);
 
 /// "0.1 %", "2.3e-05 %"; "1.2e-6 m" for absolute errors.
 std::string accuracy_text(double error, bool absolute, const std::string& unit);
+/// Rounded to two digits: nobody knows an uncertainty better.
+double two_digits(double value);
 /// "0.40 s", "12 ms", "3.2 min".
 std::string time_text(double seconds);
 

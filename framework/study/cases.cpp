@@ -26,11 +26,16 @@ std::string set_text(const core::Value& value) {
          factor("s", q->dimension.time);
 }
 
-std::string label(const Case& one, const std::vector<std::string>& but) {
+std::string series_label(const Case& one, const std::vector<std::string>& but) {
   std::string text;
   for (const Setting& setting : one.settings)
     if (std::ranges::find(but, setting.key) == but.end())
       text += (text.empty() ? "" : ", ") + setting.key + " = " + shown(setting.value);
+  return text;
+}
+
+std::string label(const Case& one, const std::vector<std::string>& but) {
+  const std::string text = series_label(one, but);
   return text.empty() ? "as it stands" : text;
 }
 

@@ -17,6 +17,9 @@ std::string set_text(const core::Value& value);
 /// "mesh = voronoi, cells = 500"; without the parameters in `but`. "as it stands" for no parameters.
 std::string label(const Case& one, const std::vector<std::string>& but = {});
 
+/// The same, but "" for no parameters: a study of one series needs no name for it.
+std::string series_label(const Case& one, const std::vector<std::string>& but);
+
 /// Null if the case does not say the parameter.
 const core::Value* find(const Case& one, const std::string& key);
 

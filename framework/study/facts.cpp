@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "study/cases.hpp"
 #include "study/study.hpp"
 
 namespace ashlar::study {
@@ -42,8 +41,8 @@ Words quantities_of(const model::ProbeData& probe, bool& all) {
 
 class Checker {
  public:
-  Checker(const Measure& measure, const Case& one, const Facts& facts, core::Mistakes& mistakes)
-      : measure_(measure), case_(one), facts_(facts), mistakes_(mistakes) {}
+  Checker(const Measure& measure, const Facts& facts, core::Mistakes& mistakes)
+      : measure_(measure), facts_(facts), mistakes_(mistakes) {}
 
   void check() {
     if (!measure_.stage.empty()) need("stage", measure_.stage, facts_.stages);
@@ -59,12 +58,12 @@ class Checker {
  private:
   void lacks(const std::string& key, const std::string& what, const std::string& advice) {
     mistakes_.add(measure_.settings.place_of(key),
-                  "the measure '" + measure_.name + "' is missing in the case " + label(case_) + ": " + what, advice);
+                  "the measure '" + measure_.name + "' is missing: " + what, advice);
   }
 
   bool need(const std::string& key, const std::string& word, const Words& known) {
     if (has(known, word)) return true;
-    const std::string kind = key == "minus" ? "probe" : key;
+    const std::string kind = key == "minus" ? "probe" : key == "at" ? "stage" : key;
     lacks(key, "the scene has no " + kind + " '" + word + "'",
           known.empty() ? "it has no " + kind + "s at all" : core::did_you_mean(word, known));
     return false;
@@ -92,7 +91,6 @@ class Checker {
   }
 
   const Measure& measure_;
-  const Case& case_;
   const Facts& facts_;
   core::Mistakes& mistakes_;
 };
@@ -107,8 +105,8 @@ Facts facts_of(const model::Scene& scene) {
   return facts;
 }
 
-void check_measures(const Study& study, const Case& one, const Facts& facts, core::Mistakes& mistakes) {
-  for (const Measure& measure : study.measures) Checker(measure, one, facts, mistakes).check();
+void check_measures(const Study& study, const Facts& facts, core::Mistakes& mistakes) {
+  for (const Measure& measure : study.measures) Checker(measure, facts, mistakes).check();
 }
 
 std::string unit_of(const std::string& quantity) {

@@ -107,7 +107,7 @@ class Runner {
     beside_[job] = processes_.count() > 0;
     for (auto& [other, crowded] : beside_) crowded = crowded || processes_.count() > 0;
     processes_.start(job, words, "/dev/null", log_file(state_.folder(), one.name, number));
-    options_.say(std::to_string(done_ + 1) + " of " + std::to_string(total_) + ": " + one.label);
+    options_.say(std::to_string(++started_) + " of " + std::to_string(total_) + ": " + one.label);
   }
 
   void finish(const Ended& ended) {
@@ -121,13 +121,13 @@ class Runner {
     const bool memory = ended.code == 128 + SIGKILL || reason.find("not enough memory") != std::string::npos;
     if (memory && crowded && !options_.stopped()) {
       options_.say("memory did not suffice for " + job.label + ": it is run again alone");
+      --started_;
       alone_jobs_.push_back(ended.id);
       waiting_.push_front(ended.id);
       return;
     }
     // Ended by our own stop: neither a result nor a failure.
     if (options_.stopped() && ended.code != 0) return;
-    ++done_;
     record.runs.push_back({ended.code, reason, ended.wall, ended.cpu, ended.memory});
     peak_ = std::max(peak_, ended.memory);
     if (ended.code != 0) {
@@ -147,7 +147,7 @@ class Runner {
   std::map<std::size_t, bool> beside_;   // running: did another one run meanwhile?
   std::int64_t peak_ = 0;
   bool alone_ = false;
-  int total_ = 0, done_ = 0;
+  int total_ = 0, started_ = 0;
 };
 
 }  // namespace

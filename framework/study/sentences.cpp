@@ -1,8 +1,10 @@
 // What an engineer wants to read: what an accuracy costs, and what the next digit would.
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "output/text_table.hpp"
 #include "study/analysis.hpp"
@@ -26,7 +28,7 @@ class Teller {
       : study_(study), finding_(finding), outcomes_(outcomes), measure_(study.measures[finding.measure]) {
     for (const std::size_t r : finding.front) {
       const Reading& reading = finding.readings[r];
-      front_.push_back({outcomes[reading.one].best().record.wall, reading.sure < 1e-15 ? 0 : reading.sure});
+      front_.push_back({outcomes[reading.one].best().record.wall, reading.sure < floor_of_errors ? 0 : reading.sure});
     }
   }
 
@@ -43,15 +45,31 @@ class Teller {
     return rungs;
   }
 
+  /// Where all runs are of one size, their costs do not differ but by chance: only errors are told.
+  std::vector<std::string> tell_errors() const {
+    std::vector<Reading> known;
+    for (const Reading& reading : finding_.readings)
+      if (!std::isnan(reading.relative)) known.push_back(reading);
+    if (known.empty()) return {};
+    const auto [best, worst] = std::ranges::minmax_element(known, {}, &Reading::relative);
+    const auto off = [&](const Reading& r) {
+      return (r.relative < floor_of_errors ? "exact to round-off (" : "off by " + accuracy(r.relative) + " (") +
+             label(study_.cases[r.one]) + ")";
+    };
+    std::string text = opening(measure_.title) + " is " + (known.size() > 1 ? "at best " : "") + off(*best);
+    if (known.size() > 1) text += ", at worst " + off(*worst);
+    return {text + "."};
+  }
+
   std::vector<std::string> tell() const {
     if (front_.empty()) return {};
     if (front_.back().error == 0)
       return {opening(measure_.title) + " comes out exact to round-off for " + time_text(front_.back().cost) +
-              " with " + name_of(front_.size() - 1) + "."};
+              with(name_of(front_.size() - 1)) + "."};
     const double reached = ten_above(front_.back().error);
     const Rung now = rung(reached), next = rung(reached / 10);
-    std::string text = opening(accuracy(reached)) + " of " + measure_.title + " costs " + cost(now) + " with " +
-                       now.with + " (" + now.from + ")";
+    std::string text = opening(accuracy(reached)) + " of " + measure_.title + " costs " + cost(now) + with(now.with) +
+                       " (" + now.from + ")";
     if (next.price.known != Price::Known::unknown)
       text += "; the next factor of ten costs " + cost(next) + " (" + next.from + ")";
     std::vector<std::string> all = {text + "."};
@@ -59,18 +77,23 @@ class Teller {
       all.push_back("What the next factor of ten costs cannot be told from these runs.");
     const double doubt = finding_.reference.uncertainty / (finding_.absolute ? 1 : std::abs(finding_.reference.value));
     if (doubt > reached)
-      all.push_back("Take that with care: the reference itself is only known to " + accuracy(doubt) + ".");
+      all.push_back("Take that with care: the reference itself is only known to " + accuracy(two_digits(doubt)) + ".");
     return all;
   }
 
  private:
   std::string opening(const std::string& words) const {
-    return finding_.problem.empty() ? words : "For " + finding_.problem + ": " + words;
+    if (!finding_.problem.empty()) return "For " + finding_.problem + ": " + words;
+    std::string text = words;
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return text;
   }
 
   std::string accuracy(double error) const {
     return accuracy_text(error, finding_.absolute, unit_of(measure_.quantity));
   }
+
+  static std::string with(const std::string& series) { return series.empty() ? "" : " with " + series; }
 
   static std::string cost(const Rung& rung) {
     return (rung.price.known == Price::Known::at_most ? "at most " : "") + time_text(rung.price.cost);
@@ -83,7 +106,7 @@ class Teller {
   std::string name_of(std::size_t place) const {
     std::vector<std::string> but = study_.problem;
     but.push_back(study_.refine);
-    return label(case_of(place), but);
+    return series_label(case_of(place), but);
   }
 
   std::string refined(std::size_t place) const {
@@ -115,8 +138,10 @@ class Teller {
 
 }  // namespace
 
-std::vector<std::string> sentences_of(const Study& study, Finding& finding, const std::vector<Outcome>& outcomes) {
+std::vector<std::string> sentences_of(const Study& study, Finding& finding, const std::vector<Outcome>& outcomes,
+                                      bool sizes_differ) {
   const Teller teller(study, finding, outcomes);
+  if (!sizes_differ) return teller.tell_errors();
   finding.ladder = teller.ladder();
   return teller.tell();
 }
@@ -126,6 +151,10 @@ std::string accuracy_text(double error, bool absolute, const std::string& unit) 
   const double percent = 100 * error;
   if (percent >= 0.999e-3 && percent < 1e4) return format("%.3g %%", percent);
   return format("%.1e %%", percent);
+}
+
+double two_digits(double value) {
+  return std::strtod(format("%.1e", value).c_str(), nullptr);
 }
 
 std::string time_text(double seconds) {

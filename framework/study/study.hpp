@@ -66,8 +66,8 @@ struct Facts {
 };
 Facts facts_of(const model::Scene& scene);
 
-/// Reports every measure that this case lacks.
-void check_measures(const Study& study, const Case& one, const Facts& facts, core::Mistakes& mistakes);
+/// Reports every measure that the case with these facts lacks.
+void check_measures(const Study& study, const Facts& facts, core::Mistakes& mistakes);
 
 /// SI unit of a quantity's values: "m", "Pa", "N"; "" where none is known.
 std::string unit_of(const std::string& quantity);

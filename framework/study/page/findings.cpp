@@ -1,6 +1,7 @@
 // What a measure tells: its reference, its errors against everything they may be plotted over, its price.
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "output/text_table.hpp"
@@ -23,6 +24,7 @@ std::string count_text(double n) {
 
 std::string percent_text(double error) {
   const double percent = 100 * error;
+  if (percent == 0) return "0";
   return percent >= 0.999e-3 && percent < 1e4 ? printed("%.3g %%", percent) : printed("%.0e %%", percent);
 }
 
@@ -54,7 +56,9 @@ class Section {
         unit_(unit_of(measure_.quantity)) {}
 
   std::string write() {
-    std::string html = "<section>\n<h2>" + escaped(measure_.title) +
+    std::string title = measure_.title;
+    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+    std::string html = "<section>\n<h2>" + escaped(title) +
                        (finding_.problem.empty() ? "" : " <small>" + escaped(finding_.problem) + "</small>") +
                        "</h2>\n";
     if (finding_.readings.empty()) return html + "<p>No run gave this measure.</p></section>\n";
@@ -83,7 +87,7 @@ class Section {
     if (measure_.reference.function() && finding_.readings.size() > 1 && data_.study.refine.empty())
       return "Compared with the study's function of each case.";
     std::string text = "Compared with <b>" + value_text(reference.value, unit_) + "</b>";
-    if (reference.uncertainty > 0) text += " ± " + value_text(reference.uncertainty, unit_);
+    if (reference.uncertainty > 0) text += " ± " + value_text(two_digits(reference.uncertainty), unit_);
     return text + ", " + escaped(reference.how) +
            (std::isnan(reference.uncertainty) ? "; how far that is from the truth is not known." : ".");
   }
@@ -99,7 +103,8 @@ class Section {
     std::string html = "<p class=\"legend\">";
     std::size_t style = 0;
     for (const Series& series : data_.analysis.series)
-      if (in(series)) html += "<span>" + mark_svg(style++) + escaped(series.label) + "</span>";
+      if (in(series) && !series.label.empty())
+        html += "<span>" + mark_svg(style++) + escaped(series.label) + "</span>";
     if (finding_.front.size() > 1)
       html += "<span><svg class=\"key\" viewBox=\"0 0 26 12\"><circle cx=\"13\" cy=\"6\" r=\"5\" class=\"ring\"/></svg>"
               "best bargains (Pareto front)</span>";
@@ -156,7 +161,7 @@ class Section {
   static double slope_of(const Plot& plot) {
     std::vector<std::pair<double, double>> points;
     for (const PlotPoint& point : plot.series.front().points)
-      if (point.x > 0 && point.y > 1e-14) points.emplace_back(point.x, point.y);
+      if (point.x > 0 && point.y > floor_of_errors) points.emplace_back(point.x, point.y);
     return points.size() < 3 ? unknown : slope(points);
   }
 
@@ -243,7 +248,7 @@ class Section {
     std::vector<std::vector<std::string>> rows = {{"series", "limit", "±", "order", "slope of errors", ""}};
     for (const Limit& limit : finding_.limits) {
       const Extrapolation& found = limit.found;
-      rows.push_back({escaped(limit.series), value_text(found.limit, unit_), value_text(found.uncertainty, unit_),
+      rows.push_back({escaped(limit.series.empty() ? "all runs" : limit.series), value_text(found.limit, unit_), value_text(two_digits(found.uncertainty), unit_),
                       std::isnan(found.order) ? "–" : printed("%.2f", found.order),
                       std::isnan(limit.observed) ? "–" : printed("%.2f", limit.observed),
                       found.sound ? "" : "wide: " + escaped(found.why)});

@@ -96,6 +96,12 @@ std::string varied(const Study& study) {
   return text;
 }
 
+std::string joined(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;
+  return text;
+}
+
 std::string opening(const PageData& data, const std::string& command) {
   const std::size_t failed =
       static_cast<std::size_t>(std::ranges::count(data.outcomes, false, &Outcome::ok));
@@ -107,7 +113,7 @@ std::string opening(const PageData& data, const std::string& command) {
                      escaped(machine()) + ". " + today() + ". Made by <code>" + escaped(command) + "</code></p>\n";
   std::string sentences;
   for (const Finding& finding : data.analysis.findings)
-    for (const std::string& sentence : finding.sentences) sentences += "<p>" + escaped(sentence) + "</p>\n";
+    if (!finding.sentences.empty()) sentences += "<p>" + escaped(joined(finding.sentences)) + "</p>\n";
   return html + (sentences.empty() ? "" : "<div class=\"answer\">\n" + sentences + "</div>\n");
 }
 

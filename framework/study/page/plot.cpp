@@ -10,7 +10,7 @@ namespace ashlar::study {
 namespace {
 
 constexpr double width = 400, height = 300;
-constexpr double left = 62, right = 14, top = 30, bottom = 46;
+constexpr double left = 74, right = 22, top = 30, bottom = 46;
 
 std::string at(double x, double y) {
   return printed("%.1f", x) + "," + printed("%.1f", y);
@@ -155,11 +155,11 @@ class Drawing {
     }
   }
 
-  // Under the lower end of the first series, its upright side to the right: rise by slope for one to the right.
+  // In the corner below the curves: to the right where they rise, to the left where they fall.
   void triangle() {
     if (std::isnan(plot_.slope) || !plot_.x.log || !plot_.y.log || plot_.series.empty()) return;
-    const double x0 = x_.low() * std::pow(x_.high() / x_.low(), 0.62);
-    const double x1 = x_.low() * std::pow(x_.high() / x_.low(), 0.82);
+    const double begin = plot_.slope > 0 ? 0.68 : 0.09, across = x_.high() / x_.low();
+    const double x0 = x_.low() * std::pow(across, begin), x1 = x_.low() * std::pow(across, begin + 0.2);
     const double fall = std::pow(x1 / x0, plot_.slope), least = y_.low() * std::pow(y_.high() / y_.low(), 0.08);
     const double y0 = plot_.slope > 0 ? least : least / fall, y1 = y0 * fall;
     if (y_(y1) < top || y_(y1) > height - bottom) return;
