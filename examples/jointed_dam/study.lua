@@ -10,5 +10,5 @@ return Study {
     mouth = { title = "the jump at the joint's mouth", stage = "reservoir",
               probe = "mouth_upper", minus = "mouth_lower", quantity = "u" },
   },
-  repeats = 3,
+  repeats = 2,
 }

@@ -10,8 +10,9 @@ namespace ashlar::app {
 namespace {
 
 const std::vector<std::string> verbs = {"run", "check", "plan", "study", "list", "describe"};
-const std::vector<std::string> options = {"--set",    "--out",   "--json",  "--threads",  "--jobs",    "--resume",
-                                          "--quiet", "--trust", "--help", "--no-files", "--version"};
+const std::vector<std::string> options = {"--set",  "--out",      "--json",   "--threads",
+                                          "--jobs", "--resume",   "--quiet",  "--trust",
+                                          "--help", "--no-files", "--version"};
 
 int read_count(const std::string& name, const std::string& word) {
   int number = 0;

@@ -219,8 +219,8 @@ bool run_all(const CommandLine& line, const Plan& plan, study::State& state, Pro
   return study::run_jobs(plan.study, plan.jobs, options, state);
 }
 
-void tell(const study::Study& study, const std::vector<study::Outcome>& outcomes, const study::Analysis& analysis,
-          const std::vector<fs::path>& files) {
+void tell(const study::Study& study, const std::vector<study::Outcome>& outcomes,
+          const study::Analysis& analysis, const std::vector<fs::path>& files) {
   std::cout << study.title << '\n';
   for (const study::Finding& finding : analysis.findings)
     for (const std::string& sentence : finding.sentences) std::cout << "  " << sentence << '\n';
@@ -234,8 +234,8 @@ void tell(const study::Study& study, const std::vector<study::Outcome>& outcomes
 }
 
 std::vector<fs::path> write_study(const CommandLine& line, const study::Study& study,
-                                  const std::vector<study::Outcome>& outcomes, const study::Analysis& analysis,
-                                  const fs::path& folder) {
+                                  const std::vector<study::Outcome>& outcomes,
+                                  const study::Analysis& analysis, const fs::path& folder) {
   output::Transaction transaction(folder);
   output::write_file(transaction.file("study.html"), study::study_page(study, outcomes, analysis, line.text));
   output::write_file(transaction.file("study.csv"), study::study_csv(study, outcomes, analysis));

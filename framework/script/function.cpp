@@ -132,7 +132,8 @@ std::shared_ptr<const core::Function> make_function(const std::shared_ptr<Machin
 }
 
 core::Quantity call_with(const core::Function& function,
-                         const std::vector<std::pair<std::string, core::Value>>& named, const std::string& what) {
+                         const std::vector<std::pair<std::string, core::Value>>& named,
+                         const std::string& what) {
   return dynamic_cast<const ScriptFunction&>(function).call_with(named, what);
 }
 

@@ -28,8 +28,9 @@ void check_returned(lua_State* L, const core::Value& value, const std::string& n
   const std::string wanted = words.front() + " { … }";
   const bool study = table && table->constructor == "Study", scene = table && table->constructor == "Scene";
   if (lua_isnil(L, -1))
-    mistakes.add(place, "the script returns nothing",
-                 (wanted.starts_with("Scene") ? "a scenario" : "such a script") + (" ends with: return " + wanted));
+    mistakes.add(
+        place, "the script returns nothing",
+        (wanted.starts_with("Scene") ? "a scenario" : "such a script") + (" ends with: return " + wanted));
   else if (!is_undefined(L, -1))
     mistakes.add(place, "the script must return " + wanted + ", but returns " + value.type_name(),
                  study   ? "it is a study: `ashlar study " + name + "` runs it"
@@ -74,7 +75,8 @@ ScriptResult read_scene(const std::filesystem::path& file_or_folder, const core:
                         const Options& options, core::Mistakes& mistakes) {
   std::error_code error;
   const bool folder = std::filesystem::is_directory(file_or_folder, error);
-  const std::filesystem::path file = folder ? file_or_folder / file_of(options.returns.front()) : file_or_folder;
+  const std::filesystem::path file =
+      folder ? file_or_folder / file_of(options.returns.front()) : file_or_folder;
   const auto machine = std::make_shared<Machine>(options.seconds, options.memory);
   machine->require_from = options.library;
   machine->require_from.insert(machine->require_from.begin(), file.parent_path());

@@ -12,7 +12,8 @@ namespace {
 std::string problem_of(const Study& study, const Case& one) {
   Case only;
   for (const Setting& setting : one.settings)
-    if (std::ranges::find(study.problem, setting.key) != study.problem.end()) only.settings.push_back(setting);
+    if (std::ranges::find(study.problem, setting.key) != study.problem.end())
+      only.settings.push_back(setting);
   return only.settings.empty() ? "" : label(only);
 }
 
@@ -56,7 +57,9 @@ class Examiner {
   }
 
  private:
-  std::optional<double> value(std::size_t measure, std::size_t c) const { return outcomes_[c].values[measure]; }
+  std::optional<double> value(std::size_t measure, std::size_t c) const {
+    return outcomes_[c].values[measure];
+  }
 
   void find_limits(Finding& finding) const {
     if (study_.refine.empty()) return;
@@ -86,8 +89,7 @@ class Examiner {
                          finest->one};
     for (const Limit& limit : finding.limits)
       if (in_series(finest->one, limit.series, finding.problem) && limit.found.uncertainty > 0)
-        finding.reference.uncertainty =
-            limit.found.uncertainty + std::abs(limit.found.limit - finest->value);
+        finding.reference.uncertainty = limit.found.uncertainty + std::abs(limit.found.limit - finest->value);
   }
 
   bool in_series(std::size_t c, const std::string& name, const std::string& problem) const {
@@ -109,8 +111,11 @@ class Examiner {
     }
     char order[32] = "";
     if (!std::isnan(best->found.order)) std::snprintf(order, sizeof order, ", order %.2f", best->found.order);
-    finding.reference = {best->found.limit, best->found.uncertainty,
-                         "the limit of the runs" + (best->series.empty() ? "" : " with " + best->series) + order, {}};
+    finding.reference = {
+        best->found.limit,
+        best->found.uncertainty,
+        "the limit of the runs" + (best->series.empty() ? "" : " with " + best->series) + order,
+        {}};
     if (!best->found.sound) finding.reference.how += "; a wide bracket, for " + best->found.why;
     widen_by_others(finding, *best);
   }
@@ -122,7 +127,8 @@ class Examiner {
       const double apart = std::abs(other.found.limit - best.found.limit);
       if (apart <= other.found.uncertainty + best.found.uncertainty) continue;
       finding.reference.uncertainty = std::max(finding.reference.uncertainty, apart);
-      finding.reference.how += "; the limit with " + other.series + " lies outside both brackets, so they are widened";
+      finding.reference.how +=
+          "; the limit with " + other.series + " lies outside both brackets, so they are widened";
     }
   }
 
@@ -210,7 +216,8 @@ void join_problems(std::vector<Series>& series) {
 Analysis analyse(const Study& study, const std::vector<Outcome>& outcomes, const Exact& exact) {
   Analysis analysis;
   analysis.series = make_series(study, outcomes);
-  const bool exact_only = std::ranges::none_of(study.measures, [](const Measure& m) { return m.reference.text(); });
+  const bool exact_only =
+      std::ranges::none_of(study.measures, [](const Measure& m) { return m.reference.text(); });
   if (study.refine.empty() && exact_only) join_problems(analysis.series);
   double least = 1e300, most = 0;
   for (const Outcome& outcome : outcomes) {

@@ -27,8 +27,8 @@ struct Series {
 /// What the runs of one problem are compared with.
 struct Reference {
   double value = unknown;
-  double uncertainty = 0;  ///< NaN: unknown
-  std::string how;         ///< "limit of mesh = voronoi, order 1.3"
+  double uncertainty = 0;             ///< NaN: unknown
+  std::string how;                    ///< "limit of mesh = voronoi, order 1.3"
   std::optional<std::size_t> itself;  ///< the case that serves as reference, and has no error of its own
 };
 

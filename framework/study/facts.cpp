@@ -11,8 +11,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-const Words joint_quantities = {"normal_force",       "max_slip",    "max_opening", "max_penetration",
-                                "penetration_over_h", "max_pressure"};
+const Words joint_quantities = {"normal_force",    "max_slip",           "max_opening",
+                                "max_penetration", "penetration_over_h", "max_pressure"};
 
 /// What a probe reads of a field; nothing for fields that only their module knows.
 const std::map<std::string, Words> field_quantities = {{"displacement", {"ux", "uy", "u"}},
@@ -57,8 +57,8 @@ class Checker {
 
  private:
   void lacks(const std::string& key, const std::string& what, const std::string& advice) {
-    mistakes_.add(measure_.settings.place_of(key),
-                  "the measure '" + measure_.name + "' is missing: " + what, advice);
+    mistakes_.add(measure_.settings.place_of(key), "the measure '" + measure_.name + "' is missing: " + what,
+                  advice);
   }
 
   bool need(const std::string& key, const std::string& word, const Words& known) {

@@ -24,7 +24,8 @@ Fit fit(std::span<const Refined> runs, double order) {
   double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0;
   const double finest = runs.back().h;
   for (const Refined& run : runs) {
-    const double weight = finest / run.h, x = std::pow(run.h / finest, order), y = run.value - runs.back().value;
+    const double weight = finest / run.h, x = std::pow(run.h / finest, order),
+                 y = run.value - runs.back().value;
     w += weight, wx += weight * x, wy += weight * y, wxx += weight * x * x, wxy += weight * x * y;
   }
   const double det = w * wxx - wx * wx;
@@ -72,8 +73,8 @@ std::vector<Refined> by_size(std::span<const Refined> runs) {
 Extrapolation wide(std::span<const Refined> runs, std::string why) {
   const auto last = runs.last(std::min<std::size_t>(3, runs.size()));
   const auto [low, high] = std::ranges::minmax(last, {}, &Refined::value);
-  return {runs.back().value, std::numeric_limits<double>::quiet_NaN(), wide_safety * (high.value - low.value), false,
-          std::move(why)};
+  return {runs.back().value, std::numeric_limits<double>::quiet_NaN(), wide_safety * (high.value - low.value),
+          false, std::move(why)};
 }
 
 bool monotone(std::span<const Refined> runs) {
@@ -94,7 +95,8 @@ Extrapolation extrapolate(std::span<const Refined> all) {
   const auto [low, high] = std::ranges::minmax(runs, {}, &Refined::value);
   const double scale = std::max(std::abs(low.value), std::abs(high.value)), spread = high.value - low.value;
   if (spread <= round_off * scale)
-    return {runs.back().value, std::numeric_limits<double>::quiet_NaN(), spread, true, "all runs agree to round-off"};
+    return {runs.back().value, std::numeric_limits<double>::quiet_NaN(), spread, true,
+            "all runs agree to round-off"};
   if (!monotone(runs)) return wide(runs, "the runs do not approach their limit from one side");
   const double order = best_order(runs);
   const Fit found = fit(runs, order);
@@ -142,7 +144,8 @@ Price price_of(std::span<const Bargain> front, double error) {
   }
   const std::size_t last = front.size() - 1;
   std::vector<std::pair<double, double>> end;
-  for (std::size_t i = last < 2 ? 0 : last - 2; i <= last; ++i) end.emplace_back(front[i].error, front[i].cost);
+  for (std::size_t i = last < 2 ? 0 : last - 2; i <= last; ++i)
+    end.emplace_back(front[i].error, front[i].cost);
   const double steep = end.size() < 2 ? 0 : slope(end);
   if (!(steep < 0)) return {};
   return {front[last].cost * std::pow(error / front[last].error, steep), Price::Known::beyond, last, last};

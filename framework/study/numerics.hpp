@@ -45,7 +45,7 @@ std::vector<std::size_t> pareto_front(std::span<const Bargain> runs);
 struct Price {
   enum class Known { at_most, between, beyond, unknown };
   double cost = 0;
-  Known known = Known::unknown;  ///< beyond: extrapolated with the slope of the front's last three runs
+  Known known = Known::unknown;     ///< beyond: extrapolated with the slope of the front's last three runs
   std::size_t left = 0, right = 0;  ///< the runs between which it lies (at_most: the first; beyond: the last)
 };
 /// Log-log interpolation. `unknown` where the front does not fall, or has one run only and does not reach it.

@@ -118,7 +118,8 @@ void read_size(const json& results, Outcome& outcome) {
 void read_values(const Study& study, const json& results, Outcome& outcome) {
   for (const Measure& measure : study.measures) {
     outcome.values.push_back(read_value(results, measure));
-    if (!outcome.values.back()) outcome.missing.push_back("its results lack the measure '" + measure.name + "'");
+    if (!outcome.values.back())
+      outcome.missing.push_back("its results lack the measure '" + measure.name + "'");
   }
 }
 
@@ -164,7 +165,8 @@ Outcome read_outcome(const Study& study, const std::filesystem::path& folder, co
   for (std::size_t i = 0; i < record.runs.size(); ++i) {
     const RunRecord& run = record.runs[i];
     if (run.code != 0) {
-      outcome.reason = "exit code " + std::to_string(run.code) + (run.reason.empty() ? "" : ": " + run.reason);
+      outcome.reason =
+          "exit code " + std::to_string(run.code) + (run.reason.empty() ? "" : ": " + run.reason);
       outcome.ok = false;
       return outcome;
     }

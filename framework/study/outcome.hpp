@@ -43,9 +43,9 @@ struct Outcome {
   std::string reason;     ///< why it failed, or was not run
   std::vector<Run> runs;  ///< those that converged
   double cells = 0, unknowns = 0;
-  double h = 0;                                ///< sqrt(area / cells) [m]
-  std::vector<std::optional<double>> values;   ///< by measure
-  std::vector<std::string> missing;            ///< measures that its results lack, in words
+  double h = 0;                               ///< sqrt(area / cells) [m]
+  std::vector<std::optional<double>> values;  ///< by measure
+  std::vector<std::string> missing;           ///< measures that its results lack, in words
 
   const Run& best() const;  ///< by wall time
   double worst_wall() const;

@@ -71,6 +71,7 @@ void Processes::start(std::size_t id, const std::vector<std::string>& words, con
   const int error = errno;
   for (const int file : {out_file, err_file, ends[1]}) ::close(file);
   if (pid > 0) {
+    ::setpgid(pid, pid);
     children_.push_back({id, pid, ends[0], began});
     return;
   }
@@ -111,10 +112,11 @@ std::int64_t Processes::resident() const {
 }
 
 void Processes::stop() {
-  for (const Child& child : children_) ::kill(child.pid, SIGTERM);
+  // Each is a group of its own: what it started itself ends too.
+  for (const Child& child : children_) ::kill(-child.pid, SIGTERM);
   const double patience = now() + 10;
   while (!children_.empty() && now() < patience) wait(0.2);
-  for (const Child& child : children_) ::kill(child.pid, SIGKILL);
+  for (const Child& child : children_) ::kill(-child.pid, SIGKILL);
   while (!children_.empty()) wait(1);
 }
 

@@ -12,7 +12,7 @@ namespace ashlar::study {
 
 struct Ended {
   std::size_t id = 0;
-  int code = 0;             ///< exit code; 128 + signal if one killed it
+  int code = 0;              ///< exit code; 128 + signal if one killed it
   double wall = 0, cpu = 0;  ///< s, start of the process included
   std::int64_t memory = 0;   ///< peak resident bytes
 };

@@ -41,8 +41,8 @@ std::vector<Value> read_list(const Value& list, Mistakes& mistakes) {
                  "give it values, for example { 500, 1000, 2000 }, or leave it out");
   for (const Value& item : table->items) {
     if (!is_setting(item, mistakes)) continue;
-    const bool twice = std::ranges::any_of(
-        values, [&](const Value& other) { return set_text(other) == set_text(item); });
+    const bool twice =
+        std::ranges::any_of(values, [&](const Value& other) { return set_text(other) == set_text(item); });
     if (twice) mistakes.add(item.place, shown(item) + " is said twice");
     values.push_back(item);
   }
@@ -124,7 +124,8 @@ Value without_units(const Value& study, Mistakes& mistakes) {
       const core::Quantity* q = value.quantity();
       if (key != "reference" || !q || q->bare) continue;
       if (!unit.empty() && !(q->dimension == core::parse_dimension(unit)))
-        mistakes.add(value.place, "must be in " + unit + ", got " + core::format_quantity(q->value, q->dimension));
+        mistakes.add(value.place,
+                     "must be in " + unit + ", got " + core::format_quantity(q->value, q->dimension));
       value = core::make_value(q->value, value.place);
     }
     measure = core::make_value(std::move(table), measure.place);
@@ -215,7 +216,8 @@ void read_roles(const Settings& root, Study& study, Mistakes& mistakes) {
 Study read_study(const Value& value, const core::Registry& registry, Mistakes& mistakes) {
   Study study;
   Mistakes found;
-  study.root = core::check(without_units(value, found), registry.find("study", "study")->schema, registry, found);
+  study.root =
+      core::check(without_units(value, found), registry.find("study", "study")->schema, registry, found);
   const Settings& root = study.root;
   if (root.has("title")) study.title = root.text("title");
   if (root.has("scene"))

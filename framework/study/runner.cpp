@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double share = 0.9;    // of the memory that is there; the rest is the machine's own
-constexpr double growth = 1.5;   // a case may need more than those that are done
+constexpr double share = 0.9;       // of the memory that is there; the rest is the machine's own
+constexpr double growth = 1.5;      // a case may need more than those that are done
 constexpr double look_again = 0.5;  // s, until memory is looked at again
 
 /// The first line that is neither empty nor a warning.
@@ -78,8 +78,8 @@ class Runner {
     if (static_cast<int>(processes_.count()) >= options_.jobs) return false;
     // Those that run may still grow to what the largest took.
     const double need = growth * static_cast<double>(peak_);
-    const double owed = std::max(0.0, need * static_cast<double>(processes_.count()) -
-                                          static_cast<double>(processes_.resident()));
+    const double owed = std::max(
+        0.0, need * static_cast<double>(processes_.count()) - static_cast<double>(processes_.resident()));
     return need + owed <= share * static_cast<double>(available_memory());
   }
 
@@ -97,7 +97,8 @@ class Runner {
     fs::remove(results);
     std::vector<std::string> words = {options_.program, "run", study_.scene.string()};
     for (const std::string& setting : one.settings) words.insert(words.end(), {"--set", setting});
-    words.insert(words.end(), {"--quiet", "--threads", std::to_string(study_.threads), "--json", results.string()});
+    words.insert(words.end(),
+                 {"--quiet", "--threads", std::to_string(study_.threads), "--json", results.string()});
     if (study_.files)
       words.insert(words.end(), {"--out", (results.parent_path() / "results").string()});
     else

@@ -20,9 +20,9 @@ struct RunnerOptions {
 
 /// A case with everything the runner needs to know of it.
 struct Job {
-  std::string name;    ///< of its folder
-  std::string label;   ///< for people
-  std::string inputs;  ///< fingerprint
+  std::string name;                   ///< of its folder
+  std::string label;                  ///< for people
+  std::string inputs;                 ///< fingerprint
   std::vector<std::string> settings;  ///< "cells=500"
 };
 

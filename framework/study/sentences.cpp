@@ -28,7 +28,8 @@ class Teller {
       : study_(study), finding_(finding), outcomes_(outcomes), measure_(study.measures[finding.measure]) {
     for (const std::size_t r : finding.front) {
       const Reading& reading = finding.readings[r];
-      front_.push_back({outcomes[reading.one].best().record.wall, reading.sure < floor_of_errors ? 0 : reading.sure});
+      front_.push_back(
+          {outcomes[reading.one].best().record.wall, reading.sure < floor_of_errors ? 0 : reading.sure});
     }
   }
 
@@ -53,7 +54,8 @@ class Teller {
     if (known.empty()) return {};
     const auto [best, worst] = std::ranges::minmax_element(known, {}, &Reading::relative);
     const auto off = [&](const Reading& r) {
-      return (r.relative < floor_of_errors ? "exact to round-off (" : "off by " + accuracy(r.relative) + " (") +
+      return (r.relative < floor_of_errors ? "exact to round-off ("
+                                           : "off by " + accuracy(r.relative) + " (") +
              label(study_.cases[r.one]) + ")";
     };
     std::string text = opening(measure_.title) + " is " + (known.size() > 1 ? "at best " : "") + off(*best);
@@ -68,16 +70,18 @@ class Teller {
               with(name_of(front_.size() - 1)) + "."};
     const double reached = ten_above(front_.back().error);
     const Rung now = rung(reached), next = rung(reached / 10);
-    std::string text = opening(accuracy(reached)) + " of " + measure_.title + " costs " + cost(now) + with(now.with) +
-                       " (" + now.from + ")";
+    std::string text = opening(accuracy(reached)) + " of " + measure_.title + " costs " + cost(now) +
+                       with(now.with) + " (" + now.from + ")";
     if (next.price.known != Price::Known::unknown)
       text += "; the next factor of ten costs " + cost(next) + " (" + next.from + ")";
     std::vector<std::string> all = {text + "."};
     if (next.price.known == Price::Known::unknown)
       all.push_back("What the next factor of ten costs cannot be told from these runs.");
-    const double doubt = finding_.reference.uncertainty / (finding_.absolute ? 1 : std::abs(finding_.reference.value));
+    const double doubt =
+        finding_.reference.uncertainty / (finding_.absolute ? 1 : std::abs(finding_.reference.value));
     if (doubt > reached)
-      all.push_back("Take that with care: the reference itself is only known to " + accuracy(two_digits(doubt)) + ".");
+      all.push_back("Take that with care: the reference itself is only known to " +
+                    accuracy(two_digits(doubt)) + ".");
     return all;
   }
 
@@ -121,8 +125,8 @@ class Teller {
     made.with = name_of(price.right);
     if (price.known == Price::Known::at_most) made.from = "the run with " + refined(price.right);
     if (price.known == Price::Known::between) {
-      const std::string left = name_of(price.left) == made.with ? refined(price.left)
-                                                                : label(case_of(price.left), study_.problem);
+      const std::string left =
+          name_of(price.left) == made.with ? refined(price.left) : label(case_of(price.left), study_.problem);
       made.from = "interpolated between " + left + " and " + refined(price.right);
     }
     if (price.known == Price::Known::beyond) made.from = "extrapolated beyond " + refined(price.right);
@@ -138,8 +142,8 @@ class Teller {
 
 }  // namespace
 
-std::vector<std::string> sentences_of(const Study& study, Finding& finding, const std::vector<Outcome>& outcomes,
-                                      bool sizes_differ) {
+std::vector<std::string> sentences_of(const Study& study, Finding& finding,
+                                      const std::vector<Outcome>& outcomes, bool sizes_differ) {
   const Teller teller(study, finding, outcomes);
   if (!sizes_differ) return teller.tell_errors();
   finding.ladder = teller.ladder();

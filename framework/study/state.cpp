@@ -23,7 +23,8 @@ constexpr const char* lock_name = ".study.lock";
 CaseRecord read_record(const json& said) {
   CaseRecord record{said.at("inputs"), {}};
   for (const json& run : said.at("runs"))
-    record.runs.push_back({run.at("code"), run.at("reason"), run.at("wall"), run.at("cpu"), run.at("memory")});
+    record.runs.push_back(
+        {run.at("code"), run.at("reason"), run.at("wall"), run.at("cpu"), run.at("memory")});
   return record;
 }
 

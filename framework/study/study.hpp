@@ -33,9 +33,7 @@ struct Measure {
   core::Value reference;  ///< a number, a function of the case, or the word "richardson" or "finest"
   core::Settings settings;
 
-  bool compared_with(const std::string& word) const {
-    return reference.text() && *reference.text() == word;
-  }
+  bool compared_with(const std::string& word) const { return reference.text() && *reference.text() == word; }
 };
 
 struct Study {
@@ -43,8 +41,9 @@ struct Study {
   std::filesystem::path scene;
   std::vector<Case> cases;
   std::vector<Measure> measures;
-  std::string refine;                ///< the parameter along which runs get finer; "" if there is none
-  std::vector<std::string> problem;  ///< parameters that change what is asked: each value has its own reference
+  std::string refine;  ///< the parameter along which runs get finer; "" if there is none
+  std::vector<std::string>
+      problem;  ///< parameters that change what is asked: each value has its own reference
   int repeats = 1;
   int threads = 1;     ///< of one run
   bool files = false;  ///< runs write their pictures, tables and fields too

@@ -47,14 +47,17 @@ std::string heading(const Study& study) {
   return line + "\n";
 }
 
-std::string row(const Study& study, const std::vector<Outcome>& outcomes, const Analysis& analysis, std::size_t c) {
+std::string row(const Study& study, const std::vector<Outcome>& outcomes, const Analysis& analysis,
+                std::size_t c) {
   const Outcome& outcome = outcomes[c];
   std::string line = output::csv_field(outcome.name) + "," + (outcome.ok ? "ok" : "failed") + "," +
                      output::csv_field(outcome.reason);
   for (const std::string& key : keys_of(study)) {
     const core::Value* value = find(study.cases[c], key);
     const core::Quantity* quantity = value ? value->quantity() : nullptr;
-    line += "," + output::csv_field(quantity ? output::shortest(quantity->value) : value ? shown(*value) : "");
+    line += "," + output::csv_field(quantity ? output::shortest(quantity->value)
+                                    : value  ? shown(*value)
+                                             : "");
   }
   if (!outcome.ok) return line + std::string(7 + part_count + 5 * study.measures.size(), ',') + "\n";
   const Run& best = outcome.best();
@@ -68,7 +71,8 @@ std::string row(const Study& study, const std::vector<Outcome>& outcomes, const 
       line += ",,,,,";
       continue;
     }
-    for (const double x : {reading->value, reading->error, reading->relative, reading->sure}) line += "," + number(x);
+    for (const double x : {reading->value, reading->error, reading->relative, reading->sure})
+      line += "," + number(x);
     line += reading->on_front ? ",1" : ",0";
   }
   return line + "\n";
@@ -76,7 +80,8 @@ std::string row(const Study& study, const std::vector<Outcome>& outcomes, const 
 
 Json run_json(const Run& run) {
   Json json = {{"wall", run.record.wall}, {"cpu", run.record.cpu}, {"memory", run.record.memory}};
-  for (std::size_t p = 0; p < part_count; ++p) json["parts"][part_names[p]] = {{"wall", run.wall[p]}, {"cpu", run.cpu[p]}};
+  for (std::size_t p = 0; p < part_count; ++p)
+    json["parts"][part_names[p]] = {{"wall", run.wall[p]}, {"cpu", run.cpu[p]}};
   json["effects"] = Json::object();
   for (const auto& [effect, wall] : run.effects) json["effects"][effect] = wall;
   return json;

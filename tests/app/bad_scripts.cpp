@@ -1,4 +1,5 @@
-// Every file in tests/bad_scripts, and every study in tests/bad_studies, says in its first lines what the program must answer:
+// Every file in tests/bad_scripts, and every study in tests/bad_studies, says in its first lines what the
+// program must answer:
 //   -- expect 12: must be above 0 Pa     a message that starts at line 12 and contains this
 //   -- expect: did you mean 'rock'?      anywhere
 //   -- options: --set level=3

@@ -34,7 +34,8 @@ std::string study_of(const std::string& vary, const std::string& more = "") {
     top  = { title = "settlement", stage = "weight", probe = "top", quantity = "uy", reference = -24e3*16/2e9 },
     half = { probe = "top", minus = "middle", quantity = "u", reference = function(case) return (case.cells > 0 and 24e3*4/2e9)*units.m end },
     load = { at = "stages.weight.balance.load.y", reference = "finest" },
-  }, )" + more + " }";
+  }, )" + more +
+         " }";
 }
 
 struct Studied : Ended {
@@ -153,7 +154,8 @@ TEST(study, keeps_failures_with_their_reason) {
     if (one.at("ok").get<bool>()) continue;
     ++failed;
     const std::string reason = one.at("reason");
-    EXPECT_TRUE(reason.starts_with("exit code 3: Stage 'weight' did not converge: the joints do not hold")) << reason;
+    EXPECT_TRUE(reason.starts_with("exit code 3: Stage 'weight' did not converge: the joints do not hold"))
+        << reason;
     EXPECT_EQ(one.at("parameters").at("slide"), true);
   }
   EXPECT_EQ(failed, 2);
@@ -177,7 +179,8 @@ TEST(study, tells_what_results_lack_and_takes_its_own_parameters) {
   const ScratchFolder folder;
   write(folder / "scene.lua", column);
   write(folder / "study.lua",
-        "local most = param { \"most\", default = 5000 }\nreturn Study { title = \"x\", vary = { cells = { 8, most } }, "
+        "local most = param { \"most\", default = 5000 }\nreturn Study { title = \"x\", vary = { cells = { "
+        "8, most } }, "
         "measure = { a = { at = \"stages.weight.balance.lod.y\", reference = 1 } } }");
   const Studied done = study(folder.path(), "--set most=32");
   EXPECT_EQ(done.code, 0) << done.err;
@@ -196,7 +199,8 @@ TEST(study, words_are_checked) {
   expect("study a --jobs 0", "--jobs takes a whole number");
   expect("study a --json x", "it always writes study.json");
   expect("run a --jobs 2", "are for `ashlar study`");
-  expect("run examples/cantilever/study.lua", "it is a study: `ashlar study examples/cantilever/study.lua` runs it");
+  expect("run examples/cantilever/study.lua",
+         "it is a study: `ashlar study examples/cantilever/study.lua` runs it");
   EXPECT_NE(call("describe Study").out.find("vary"), std::string::npos);
   EXPECT_NE(call("describe measure").out.find("richardson"), std::string::npos);
   EXPECT_NE(call("list").out.find("Study { … }"), std::string::npos);
@@ -204,8 +208,7 @@ TEST(study, words_are_checked) {
 
 TEST(study, of_examples_are_sound) {
   const ScratchFolder folder;
-  const Ended ended =
-      call("study examples/cantilever --out " + quoted(folder / "out") + " --quiet");
+  const Ended ended = call("study examples/cantilever --out " + quoted(folder / "out") + " --quiet");
   EXPECT_EQ(ended.code, 0) << ended.err;
   const json results = json::parse(read(folder / "out/study.json"));
   for (const json& reading : results.at("findings")[0].at("readings"))

@@ -21,7 +21,8 @@ constexpr std::size_t most_bars = 40;
 std::string part_legend() {
   std::string html = "<p class=\"legend\">";
   for (std::size_t p = 0; p < part_count; ++p)
-    html += std::string("<span><i style=\"background:") + part_colours[p] + "\"></i>" + part_names[p] + "</span>";
+    html +=
+        std::string("<span><i style=\"background:") + part_colours[p] + "\"></i>" + part_names[p] + "</span>";
   return html + "</p>\n";
 }
 
@@ -72,8 +73,10 @@ std::string effect_tables(const PageData& data) {
     html += "<div><h3>" + escaped(label(data.study.cases[c])) + "</h3>" + html_table(rows, 1) + "</div>";
   }
   if (html.empty()) return {};
-  return "<p>What each effect of the scene adds for itself, in the finest run of a series. Meshing, factorisation and "
-         "solving serve all of them.</p>\n<div class=\"tables\">" + html + "</div>\n";
+  return "<p>What each effect of the scene adds for itself, in the finest run of a series. Meshing, "
+         "factorisation and "
+         "solving serve all of them.</p>\n<div class=\"tables\">" +
+         html + "</div>\n";
 }
 
 std::vector<std::string> keys_of(const Study& study) {
@@ -86,7 +89,9 @@ std::vector<std::string> keys_of(const Study& study) {
 
 std::string spread(const Outcome& outcome) {
   const double best = outcome.best().record.wall, worst = outcome.worst_wall();
-  return time_text(best) + (outcome.runs.size() > 1 ? " <small>+" + printed("%.0f", 100 * (worst / best - 1)) + " %</small>" : "");
+  return time_text(best) + (outcome.runs.size() > 1
+                                ? " <small>+" + printed("%.0f", 100 * (worst / best - 1)) + " %</small>"
+                                : "");
 }
 
 std::vector<std::string> case_row(const PageData& data, std::size_t c, const std::vector<std::string>& keys) {
@@ -97,8 +102,8 @@ std::vector<std::string> case_row(const PageData& data, std::size_t c, const std
     row.push_back(value ? escaped(shown(*value)) : "");
   }
   for (const double x : {outcome.cells, outcome.unknowns}) row.push_back(printed("%.0f", x));
-  row.insert(row.end(), {output::short_quantity(outcome.h, "m"), spread(outcome), time_text(outcome.best_cpu()),
-                         memory_text(outcome.memory())});
+  row.insert(row.end(), {output::short_quantity(outcome.h, "m"), spread(outcome),
+                         time_text(outcome.best_cpu()), memory_text(outcome.memory())});
   for (std::size_t m = 0; m < data.study.measures.size(); ++m) {
     const std::string unit = unit_of(data.study.measures[m].quantity);
     row.push_back(outcome.values[m] ? value_text(*outcome.values[m], unit) : "missing");
@@ -132,16 +137,19 @@ std::string cost_section(const PageData& data) {
       rows.push_back({escaped(label(data.study.cases[c])), time_text(data.outcomes[c].best().record.wall),
                       bar(data.outcomes[c].best())});
   if (rows.size() < 2) return {};
-  return "<section>\n<h2>Where the time goes</h2>\n" + part_legend() + "<div class=\"bars\">" + html_table(rows, 1) +
-         "</div>\n<p class=\"note\">Other: starting the program, opening its modules, reading and checking the scene, "
-         "and its end.</p>\n" + effect_tables(data) + "</section>\n";
+  return "<section>\n<h2>Where the time goes</h2>\n" + part_legend() + "<div class=\"bars\">" +
+         html_table(rows, 1) +
+         "</div>\n<p class=\"note\">Other: starting the program, opening its modules, reading and checking "
+         "the scene, "
+         "and its end.</p>\n" +
+         effect_tables(data) + "</section>\n";
 }
 
 std::string case_section(const PageData& data) {
   const std::vector<std::string> keys = keys_of(data.study);
   std::vector<std::string> head;
   for (const std::string& key : keys) head.push_back(escaped(key));
-  head.insert(head.end(), {"cells", "unknowns", "h", "wall", "CPU", "memory"});
+  head.insert(head.end(), {"mesh cells", "unknowns", "h", "wall", "CPU", "memory"});
   for (const Measure& measure : data.study.measures) {
     head.push_back(escaped(measure.name));
     head.emplace_back("error");

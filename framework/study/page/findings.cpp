@@ -37,22 +37,28 @@ struct Across {
 
 const std::vector<Across>& all_across() {
   static const std::vector<Across> all = {
-      {"Error against size of cells", {"h = √(area / cells)", true, size_text}, [](const Outcome& o) { return o.h; }},
+      {"Error against size of cells",
+       {"h = √(area / cells)", true, size_text},
+       [](const Outcome& o) { return o.h; }},
       {"Error against unknowns", {"unknowns", true, count_text}, [](const Outcome& o) { return o.unknowns; }},
       {"Error against wall time",
        {"wall time of a run", true, time_text},
        [](const Outcome& o) { return o.best().record.wall; }},
-      {"Error against CPU time", {"CPU time of a run", true, time_text}, [](const Outcome& o) { return o.best_cpu(); }},
-      {"Error against memory",
-       {"peak memory of a run", true, memory_text},
-       [](const Outcome& o) { return o.memory(); }}};
+      {"Error against CPU time",
+       {"CPU time of a run", true, time_text},
+       [](const Outcome& o) { return o.best_cpu(); }},
+      {"Error against memory", {"peak memory of a run", true, memory_text}, [](const Outcome& o) {
+         return o.memory();
+       }}};
   return all;
 }
 
 class Section {
  public:
   Section(const PageData& data, const Finding& finding)
-      : data_(data), finding_(finding), measure_(data.study.measures[finding.measure]),
+      : data_(data),
+        finding_(finding),
+        measure_(data.study.measures[finding.measure]),
         unit_(unit_of(measure_.quantity)) {}
 
   std::string write() {
@@ -76,14 +82,16 @@ class Section {
   std::string what() const {
     if (!measure_.at.empty()) return "<code>" + escaped(measure_.at) + "</code> of the results.";
     std::string text = "<code>" + escaped(measure_.quantity) + "</code> of ";
-    text += measure_.joint.empty() ? "the probe " + escaped(measure_.probe) : "the joint " + escaped(measure_.joint);
+    text += measure_.joint.empty() ? "the probe " + escaped(measure_.probe)
+                                   : "the joint " + escaped(measure_.joint);
     if (!measure_.minus.empty()) text += " less that of " + escaped(measure_.minus);
     return text + (measure_.stage.empty() ? "." : " in the stage " + escaped(measure_.stage) + ".");
   }
 
   std::string reference() const {
     const Reference& reference = finding_.reference;
-    if (std::isnan(reference.value)) return "There is nothing to compare it with: " + escaped(reference.how) + ".";
+    if (std::isnan(reference.value))
+      return "There is nothing to compare it with: " + escaped(reference.how) + ".";
     if (measure_.reference.function() && finding_.readings.size() > 1 && data_.study.refine.empty())
       return "Compared with the study's function of each case.";
     std::string text = "Compared with <b>" + value_text(reference.value, unit_) + "</b>";
@@ -106,15 +114,18 @@ class Section {
       if (in(series) && !series.label.empty())
         html += "<span>" + mark_svg(style++) + escaped(series.label) + "</span>";
     if (finding_.front.size() > 1)
-      html += "<span><svg class=\"key\" viewBox=\"0 0 26 12\"><circle cx=\"13\" cy=\"6\" r=\"5\" class=\"ring\"/></svg>"
-              "best bargains (Pareto front)</span>";
+      html +=
+          "<span><svg class=\"key\" viewBox=\"0 0 26 12\"><circle cx=\"13\" cy=\"6\" r=\"5\" "
+          "class=\"ring\"/></svg>"
+          "best bargains (Pareto front)</span>";
     return html + "</p>\n";
   }
 
   std::string hint(const Reading& reading) const {
     const Outcome& outcome = data_.outcomes[reading.one];
     std::string text = label(data_.study.cases[reading.one]) + ": " + value_text(reading.value, unit_);
-    if (!std::isnan(reading.relative)) text += ", off by " + accuracy_text(reading.relative, finding_.absolute, unit_);
+    if (!std::isnan(reading.relative))
+      text += ", off by " + accuracy_text(reading.relative, finding_.absolute, unit_);
     return text + "; " + time_text(outcome.best().record.wall) + ", " + memory_text(outcome.memory());
   }
 
@@ -154,7 +165,8 @@ class Section {
     if (across.title.ends_with("wall time"))
       for (const std::size_t r : finding_.front)
         if (finding_.readings[r].sure > 0)
-          plot.front.emplace_back(across.of(data_.outcomes[finding_.readings[r].one]), finding_.readings[r].sure);
+          plot.front.emplace_back(across.of(data_.outcomes[finding_.readings[r].one]),
+                                  finding_.readings[r].sure);
     return draw(plot);
   }
 
@@ -176,8 +188,8 @@ class Section {
     plot.x = all_across().front().axis;
     plot.y = value_axis();
     plot.y.label = "";
-    plot.series = marks([&](std::size_t c) { return data_.outcomes[c].h; }, [](const Reading& r) { return r.value; },
-                        false);
+    plot.series = marks([&](std::size_t c) { return data_.outcomes[c].h; },
+                        [](const Reading& r) { return r.value; }, false);
     if (!measure_.reference.function()) plot.line_at = finding_.reference.value;
     plot.line_label = "reference";
     return draw(plot);
@@ -197,7 +209,8 @@ class Section {
       plot.x = {setting.key, false, {}};
       plot.y = value_axis();
       plot.y.label = "";
-      plot.series = marks(x, [](const Reading& r) { return r.value; }, false);
+      plot.series = marks(
+          x, [](const Reading& r) { return r.value; }, false);
       if (!measure_.reference.function()) plot.line_at = finding_.reference.value;
       plot.line_label = "reference";
       html += draw(plot);
@@ -205,7 +218,8 @@ class Section {
       errors.title = "Error against " + setting.key;
       errors.x = plot.x;
       errors.y = error_axis(false);
-      errors.series = marks(x, [](const Reading& r) { return r.relative; }, false);
+      errors.series = marks(
+          x, [](const Reading& r) { return r.relative; }, false);
       html += draw(errors);
     }
     return html;
@@ -221,12 +235,15 @@ class Section {
 
   std::string explain() const {
     if (!data_.analysis.sizes_differ) return {};
-    std::string text = "<p class=\"note\">Triangles show the slope of the first series, fitted to all its runs.";
+    std::string text =
+        "<p class=\"note\">Triangles show the slope of the first series, fitted to all its runs.";
     if (finding_.reference.uncertainty > 0)
       text += " In the grey band an error is smaller than what is known of the reference, and means little.";
     if (finding_.front.size() > 1)
-      text += " The broad line is the front of best bargains; a run that is nearer the reference than a finer one of "
-              "its series is so by chance, and counts there with the larger error.";
+      text +=
+          " The broad line is the front of best bargains; a run that is nearer the reference than a finer "
+          "one of "
+          "its series is so by chance, and counts there with the larger error.";
     return text + "</p>\n";
   }
 
@@ -248,7 +265,8 @@ class Section {
     std::vector<std::vector<std::string>> rows = {{"series", "limit", "±", "order", "slope of errors", ""}};
     for (const Limit& limit : finding_.limits) {
       const Extrapolation& found = limit.found;
-      rows.push_back({escaped(limit.series.empty() ? "all runs" : limit.series), value_text(found.limit, unit_), value_text(two_digits(found.uncertainty), unit_),
+      rows.push_back({escaped(limit.series.empty() ? "all runs" : limit.series),
+                      value_text(found.limit, unit_), value_text(two_digits(found.uncertainty), unit_),
                       std::isnan(found.order) ? "–" : printed("%.2f", found.order),
                       std::isnan(limit.observed) ? "–" : printed("%.2f", limit.observed),
                       found.sound ? "" : "wide: " + escaped(found.why)});

@@ -32,7 +32,7 @@ h3 { font-size: .95rem; margin: 1.2rem 0 .4rem; }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem 1.4rem; }
 .plots svg { width: 100%; height: auto; max-width: 34rem; }
 .tables { display: flex; flex-wrap: wrap; gap: .4rem 3rem; }
-.wide { overflow-x: auto; }
+.wide { overflow-x: auto; } .wide table { font-size: .8rem; } .wide th, .wide td { padding: .2rem .5rem; }
 table { border-collapse: collapse; font-size: .86rem; font-variant-numeric: tabular-nums; }
 th { text-align: right; font-weight: 600; border-bottom: 1.5px solid var(--ink); padding: .25rem .7rem; }
 td { text-align: right; border-bottom: 1px solid var(--rule); padding: .22rem .7rem; white-space: nowrap; }
@@ -83,7 +83,8 @@ std::string varied(const Study& study) {
   std::vector<std::pair<std::string, std::vector<std::string>>> all;
   for (const Case& one : study.cases)
     for (const Setting& setting : one.settings) {
-      auto found = std::ranges::find(all, setting.key, &std::pair<std::string, std::vector<std::string>>::first);
+      auto found =
+          std::ranges::find(all, setting.key, &std::pair<std::string, std::vector<std::string>>::first);
       if (found == all.end()) found = all.insert(all.end(), {setting.key, {}});
       if (const std::string text = shown(setting.value); std::ranges::count(found->second, text) == 0)
         found->second.push_back(text);
@@ -103,14 +104,15 @@ std::string joined(const std::vector<std::string>& sentences) {
 }
 
 std::string opening(const PageData& data, const std::string& command) {
-  const std::size_t failed =
-      static_cast<std::size_t>(std::ranges::count(data.outcomes, false, &Outcome::ok));
+  const std::size_t failed = static_cast<std::size_t>(std::ranges::count(data.outcomes, false, &Outcome::ok));
   std::string html = "<h1>" + escaped(data.study.title) + "</h1>\n<p class=\"facts\">" +
                      counted(data.study.cases.size(), "case") + " of <code>" +
                      escaped(data.study.scene.filename().string()) + "</code>: " + varied(data.study) + ". " +
                      (failed > 0 ? "<b class=\"failed\">" + counted(failed, "case") + " failed.</b> " : "") +
-                     "Each run as a process of its own on " + counted(static_cast<std::size_t>(data.study.threads), "thread") + ".<br>" +
-                     escaped(machine()) + ". " + today() + ". Made by <code>" + escaped(command) + "</code></p>\n";
+                     "Each run as a process of its own on " +
+                     counted(static_cast<std::size_t>(data.study.threads), "thread") + ".<br>" +
+                     escaped(machine()) + ". " + today() + ". Made by <code>" + escaped(command) +
+                     "</code></p>\n";
   std::string sentences;
   for (const Finding& finding : data.analysis.findings)
     if (!finding.sentences.empty()) sentences += "<p>" + escaped(joined(finding.sentences)) + "</p>\n";
@@ -134,9 +136,10 @@ whole process, best of the repeats, with other runs beside it where the machine 
 std::string study_page(const Study& study, const std::vector<Outcome>& outcomes, const Analysis& analysis,
                        const std::string& command) {
   const PageData data{study, outcomes, analysis};
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-                     "content=\"width=device-width, initial-scale=1\">\n<title>" + escaped(study.title) +
-                     "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<main>\n";
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\">\n<title>" +
+      escaped(study.title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<main>\n";
   html += opening(data, command);
   for (const Finding& finding : analysis.findings) html += finding_section(data, finding);
   return html + cost_section(data) + case_section(data) + reading_help + "</main>\n</body>\n</html>\n";

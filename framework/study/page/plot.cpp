@@ -9,16 +9,16 @@ namespace ashlar::study {
 
 namespace {
 
-constexpr double width = 400, height = 300;
-constexpr double left = 74, right = 22, top = 30, bottom = 46;
+constexpr double width = 340, height = 262;
+constexpr double left = 68, right = 20, top = 30, bottom = 44;
 
 std::string at(double x, double y) {
   return printed("%.1f", x) + "," + printed("%.1f", y);
 }
 
 std::string text_at(double x, double y, const std::string& text, const std::string& more) {
-  return "<text x=\"" + printed("%.1f", x) + "\" y=\"" + printed("%.1f", y) + "\" " + more + ">" + escaped(text) +
-         "</text>\n";
+  return "<text x=\"" + printed("%.1f", x) + "\" y=\"" + printed("%.1f", y) + "\" " + more + ">" +
+         escaped(text) + "</text>\n";
 }
 
 std::string mark(double x, double y, std::size_t style) {
@@ -30,7 +30,8 @@ std::string mark(double x, double y, std::size_t style) {
   };
   switch (style % 4) {
     case 0:
-      return "<circle cx=\"" + printed("%.1f", x) + "\" cy=\"" + printed("%.1f", y) + "\" r=\"4\" " + colour + "/>";
+      return "<circle cx=\"" + printed("%.1f", x) + "\" cy=\"" + printed("%.1f", y) + "\" r=\"4\" " + colour +
+             "/>";
     case 1:
       return shape({{-3.8, -3.8}, {3.8, -3.8}, {3.8, 3.8}, {-3.8, 3.8}});
     case 2:
@@ -43,13 +44,17 @@ std::string mark(double x, double y, std::size_t style) {
 /// Values along one axis to places in the picture.
 class Scale {
  public:
-  Scale(const std::vector<double>& values, bool log, double from, double to) : log_(log), from_(from), to_(to) {
+  Scale(const std::vector<double>& values, bool log, double from, double to)
+      : log_(log), from_(from), to_(to) {
     const auto [low, high] = std::ranges::minmax(values);
-    const double a = place(low), b = place(high), span = std::max(b - a, log ? 0.3 : 1e-12 + 0.1 * std::abs(a));
+    const double a = place(low), b = place(high),
+                 span = std::max(b - a, log ? 0.3 : 1e-12 + 0.1 * std::abs(a));
     low_ = a - 0.07 * span - (b > a ? 0 : span / 2);
     high_ = b + 0.07 * span + (b > a ? 0 : span / 2);
   }
-  double operator()(double value) const { return from_ + (place(value) - low_) / (high_ - low_) * (to_ - from_); }
+  double operator()(double value) const {
+    return from_ + (place(value) - low_) / (high_ - low_) * (to_ - from_);
+  }
   double low() const { return log_ ? std::pow(10, low_) : low_; }
   double high() const { return log_ ? std::pow(10, high_) : high_; }
 
@@ -99,7 +104,8 @@ class Drawing {
     for (const double tick : ticks(x_.low(), x_.high(), plot_.x.log)) {
       const double x = x_(tick);
       svg_ += "<path d=\"M" + at(x, top) + "V" + printed("%.1f", height - bottom) + "\" class=\"grid\"/>";
-      svg_ += text_at(x, height - bottom + 15, tick_text(plot_.x, tick), "class=\"tick\" text-anchor=\"middle\"");
+      svg_ +=
+          text_at(x, height - bottom + 15, tick_text(plot_.x, tick), "class=\"tick\" text-anchor=\"middle\"");
     }
     for (const double tick : ticks(y_.low(), y_.high(), plot_.y.log)) {
       const double y = y_(tick);
@@ -108,7 +114,8 @@ class Drawing {
     }
     svg_ += "<path d=\"M" + at(left, top) + "V" + printed("%.1f", height - bottom) + "H" +
             printed("%.1f", width - right) + "\" class=\"axis\"/>\n";
-    svg_ += text_at((left + width - right) / 2, height - 10, plot_.x.label, "class=\"label\" text-anchor=\"middle\"");
+    svg_ += text_at((left + width - right) / 2, height - 10, plot_.x.label,
+                    "class=\"label\" text-anchor=\"middle\"");
     svg_ += text_at(width - right, 16, plot_.y.label, "class=\"label\" text-anchor=\"end\"");
   }
 
@@ -141,7 +148,8 @@ class Drawing {
     std::string points;
     for (const PlotPoint& point : series.points)
       if (shows(plot_, point)) points += at(x_(point.x), y_(point.y)) + " ";
-    svg_ += "<polyline points=\"" + points + "\" class=\"line\" stroke=\"" + series_colour(series.style) + "\"/>\n";
+    svg_ += "<polyline points=\"" + points + "\" class=\"line\" stroke=\"" + series_colour(series.style) +
+            "\"/>\n";
   }
 
   void marks(const PlotSeries& series) {
@@ -150,7 +158,8 @@ class Drawing {
       const double x = x_(point.x), y = y_(point.y);
       svg_ += "<g>" + mark(x, y, series.style);
       if (point.ring)
-        svg_ += "<circle cx=\"" + printed("%.1f", x) + "\" cy=\"" + printed("%.1f", y) + "\" r=\"7.5\" class=\"ring\"/>";
+        svg_ += "<circle cx=\"" + printed("%.1f", x) + "\" cy=\"" + printed("%.1f", y) +
+                "\" r=\"7.5\" class=\"ring\"/>";
       svg_ += "<title>" + escaped(point.hint) + "</title></g>\n";
     }
   }
@@ -158,9 +167,10 @@ class Drawing {
   // In the corner below the curves: to the right where they rise, to the left where they fall.
   void triangle() {
     if (std::isnan(plot_.slope) || !plot_.x.log || !plot_.y.log || plot_.series.empty()) return;
-    const double begin = plot_.slope > 0 ? 0.68 : 0.09, across = x_.high() / x_.low();
+    const double begin = plot_.slope > 0 ? 0.66 : 0.15, across = x_.high() / x_.low();
     const double x0 = x_.low() * std::pow(across, begin), x1 = x_.low() * std::pow(across, begin + 0.2);
-    const double fall = std::pow(x1 / x0, plot_.slope), least = y_.low() * std::pow(y_.high() / y_.low(), 0.08);
+    const double fall = std::pow(x1 / x0, plot_.slope),
+                 least = y_.low() * std::pow(y_.high() / y_.low(), 0.08);
     const double y0 = plot_.slope > 0 ? least : least / fall, y1 = y0 * fall;
     if (y_(y1) < top || y_(y1) > height - bottom) return;
     const bool rises = plot_.slope > 0;
@@ -168,7 +178,8 @@ class Drawing {
     svg_ += "<polygon points=\"" + at(x_(x0), y_(y0)) + " " + at(x_(x1), y_(y1)) + " " +
             at(x_(corner_x), y_(corner_y)) + "\" class=\"slope\"/>";
     svg_ += text_at((x_(x0) + x_(x1)) / 2, y_(corner_y) + 12, "1", "class=\"tick\" text-anchor=\"middle\"");
-    svg_ += text_at(x_(corner_x) + (rises ? 5 : -5), (y_(y0) + y_(y1)) / 2 + 3, printed("%.2f", std::abs(plot_.slope)),
+    svg_ += text_at(x_(corner_x) + (rises ? 5 : -5), (y_(y0) + y_(y1)) / 2 + 3,
+                    printed("%.2f", std::abs(plot_.slope)),
                     std::string("class=\"tick\" text-anchor=\"") + (rises ? "start" : "end") + "\"");
   }
 
@@ -192,18 +203,24 @@ std::string mark_svg(std::size_t style) {
 }
 
 std::string series_colour(std::size_t style) {
-  constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#555555"};
+  constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                  "#56b4e9", "#e69f00", "#555555"};
   return colours[style % colours.size()];
 }
 
 std::string escaped(const std::string& text) {
   std::string safe;
   for (const char c : text) {
-    if (c == '<') safe += "&lt;";
-    else if (c == '>') safe += "&gt;";
-    else if (c == '&') safe += "&amp;";
-    else if (c == '"') safe += "&quot;";
-    else safe += c;
+    if (c == '<')
+      safe += "&lt;";
+    else if (c == '>')
+      safe += "&gt;";
+    else if (c == '&')
+      safe += "&amp;";
+    else if (c == '"')
+      safe += "&quot;";
+    else
+      safe += c;
   }
   return safe;
 }
@@ -219,7 +236,8 @@ std::vector<double> ticks(double low, double high, bool log) {
   if (!log) {
     const double rough = (high - low) / 5, decade = std::pow(10, std::floor(std::log10(rough)));
     const double step = decade * (rough > 5 * decade ? 10 : rough > 2 * decade ? 5 : rough > decade ? 2 : 1);
-    for (double t = std::ceil(low / step) * step; t <= high; t += step) all.push_back(std::abs(t) < step / 2 ? 0 : t);
+    for (double t = std::ceil(low / step) * step; t <= high; t += step)
+      all.push_back(std::abs(t) < step / 2 ? 0 : t);
     return all;
   }
   const double decades = std::log10(high / low);

@@ -24,9 +24,10 @@ class MadeUp : public ::testing::Test {
   MadeUp() {
     study.title = "Made up";
     study.refine = "cells";
-    study.cases = combinations({{"mesh", {text("coarse"), text("fine")}},
-                                {"cells", {core::make_value(1.0), core::make_value(4.0), core::make_value(16.0),
-                                           core::make_value(64.0)}}});
+    study.cases = combinations(
+        {{"mesh", {text("coarse"), text("fine")}},
+         {"cells",
+          {core::make_value(1.0), core::make_value(4.0), core::make_value(16.0), core::make_value(64.0)}}});
     study.measures.resize(1);
     study.measures[0].name = "tip";
     study.measures[0].title = "the tip";
@@ -67,7 +68,8 @@ TEST_F(MadeUp, reference_is_the_surest_limit) {
   const Finding finding = only();
   EXPECT_NEAR(finding.reference.value, 2, 1e-9);
   EXPECT_NEAR(finding.reference.uncertainty, 1.25 * 0.16 / 64, 1e-7);
-  EXPECT_NE(finding.reference.how.find("mesh = fine, order 2.00"), std::string::npos) << finding.reference.how;
+  EXPECT_NE(finding.reference.how.find("mesh = fine, order 2.00"), std::string::npos)
+      << finding.reference.how;
   ASSERT_EQ(finding.limits.size(), 2u);
   EXPECT_NEAR(finding.limits[0].observed, 1, 1e-6);
   EXPECT_NEAR(finding.limits[1].observed, 2, 1e-6);
@@ -84,9 +86,10 @@ TEST_F(MadeUp, errors_front_and_sentence_are_those_of_the_formulas) {
   EXPECT_EQ(front, (std::vector<std::size_t>{0, 4, 5, 6, 7}));
   // Error falls with 1/wall: 1 % costs 16 s · 2, 0.1 % costs 256 s · 1.25.
   ASSERT_EQ(finding.sentences.size(), 1u);
-  EXPECT_EQ(finding.sentences[0],
-            "1 % of the tip costs 32 s with mesh = fine (interpolated between cells = 4 and cells = 16); the next "
-            "factor of ten costs 5 min (extrapolated beyond cells = 64).");
+  EXPECT_EQ(
+      finding.sentences[0],
+      "1 % of the tip costs 32 s with mesh = fine (interpolated between cells = 4 and cells = 16); the next "
+      "factor of ten costs 5 min (extrapolated beyond cells = 64).");
 }
 
 TEST_F(MadeUp, a_lucky_run_counts_with_the_error_of_a_finer_one) {
@@ -145,8 +148,9 @@ TEST_F(MadeUp, every_row_of_the_table_has_every_column) {
   std::size_t commas = 0;
   for (std::size_t begin = 0; begin < csv.size();) {
     const std::size_t end = csv.find('\n', begin);
-    const auto count = static_cast<std::size_t>(
-        std::count(csv.begin() + static_cast<std::ptrdiff_t>(begin), csv.begin() + static_cast<std::ptrdiff_t>(end), ','));
+    const auto count =
+        static_cast<std::size_t>(std::count(csv.begin() + static_cast<std::ptrdiff_t>(begin),
+                                            csv.begin() + static_cast<std::ptrdiff_t>(end), ','));
     if (begin == 0) commas = count;
     EXPECT_EQ(count, commas) << csv.substr(begin, end - begin);
     begin = end + 1;
