@@ -116,8 +116,15 @@ class Examiner {
         best->found.uncertainty,
         "the limit of the runs" + (best->series.empty() ? "" : " with " + best->series) + order,
         {}};
-    if (!best->found.sound) finding.reference.how += "; a wide bracket, for " + best->found.why;
+    if (!best->found.sound) finding.reference.how += "; a wide bracket, because " + best->found.why;
+    if (!best->found.sound && std::isnan(best->found.order)) take_finest_of(finding, best->series);
     widen_by_others(finding, *best);
+  }
+
+  // Without an order the finest value stands for the limit: that run cannot be judged by itself.
+  void take_finest_of(Finding& finding, const std::string& name) const {
+    for (const Reading& reading : finding.readings)
+      if (in_series(reading.one, name, finding.problem)) finding.reference.itself = reading.one;
   }
 
   // Series that tend to different limits tell that one of them is wrong.

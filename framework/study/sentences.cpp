@@ -68,7 +68,12 @@ class Teller {
     if (front_.back().error == 0)
       return {opening(measure_.title) + " comes out exact to round-off for " + time_text(front_.back().cost) +
               with(name_of(front_.size() - 1)) + "."};
-    const double reached = ten_above(front_.back().error);
+    // No accuracy is claimed that the reference itself does not have.
+    const double doubt = known_to();
+    const double reached = ten_above(std::max(front_.back().error, doubt));
+    if (!finding_.absolute && doubt > front_.back().error && reached >= 1)
+      return {opening("What an accuracy of ") + measure_.title +
+              " costs cannot be told: its reference is only known to " + accuracy(two_digits(doubt)) + "."};
     const Rung now = rung(reached), next = rung(reached / 10);
     std::string text = opening(accuracy(reached)) + " of " + measure_.title + " costs " + cost(now) +
                        with(now.with) + " (" + now.from + ")";
@@ -77,10 +82,8 @@ class Teller {
     std::vector<std::string> all = {text + "."};
     if (next.price.known == Price::Known::unknown)
       all.push_back("What the next factor of ten costs cannot be told from these runs.");
-    const double doubt =
-        finding_.reference.uncertainty / (finding_.absolute ? 1 : std::abs(finding_.reference.value));
-    if (doubt > reached)
-      all.push_back("Take that with care: the reference itself is only known to " +
+    else if (doubt > reached / 10)
+      all.push_back("Take the second figure with care: the reference itself is only known to " +
                     accuracy(two_digits(doubt)) + ".");
     return all;
   }
@@ -95,6 +98,13 @@ class Teller {
 
   std::string accuracy(double error) const {
     return accuracy_text(error, finding_.absolute, unit_of(measure_.quantity));
+  }
+
+  /// Relative uncertainty of the reference; 0 where it is not known.
+  double known_to() const {
+    const double scale = finding_.absolute ? 1 : std::abs(finding_.reference.value);
+    const double doubt = finding_.reference.uncertainty / scale;
+    return std::isfinite(doubt) ? doubt : 0;
   }
 
   static std::string with(const std::string& series) { return series.empty() ? "" : " with " + series; }

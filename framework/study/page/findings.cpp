@@ -147,7 +147,7 @@ class Section {
   Axis error_axis(bool log) const {
     const bool absolute = finding_.absolute;
     const std::string unit = unit_;
-    return {absolute ? "error" : "relative error", log, [absolute, unit](double error) {
+    return {"", log, [absolute, unit](double error) {
               return absolute ? output::short_quantity(error, unit) : percent_text(error);
             }};
   }
@@ -179,7 +179,7 @@ class Section {
 
   Axis value_axis() const {
     const std::string unit = unit_;
-    return {measure_.title, false, [unit](double value) { return value_text(value, unit); }};
+    return {"", false, [unit](double value) { return value_text(value, unit); }};
   }
 
   std::string value_over_size() const {
@@ -187,7 +187,6 @@ class Section {
     plot.title = "Value against size of cells";
     plot.x = all_across().front().axis;
     plot.y = value_axis();
-    plot.y.label = "";
     plot.series = marks([&](std::size_t c) { return data_.outcomes[c].h; },
                         [](const Reading& r) { return r.value; }, false);
     if (!measure_.reference.function()) plot.line_at = finding_.reference.value;
@@ -208,7 +207,6 @@ class Section {
       plot.title = "Value against " + setting.key;
       plot.x = {setting.key, false, {}};
       plot.y = value_axis();
-      plot.y.label = "";
       plot.series = marks(
           x, [](const Reading& r) { return r.value; }, false);
       if (!measure_.reference.function()) plot.line_at = finding_.reference.value;

@@ -29,7 +29,7 @@ h3 { font-size: .95rem; margin: 1.2rem 0 .4rem; }
 .facts { color: var(--soft); font-size: .92rem; margin: 0; }
 .answer { background: var(--tint); border-left: 4px solid var(--accent); padding: .9rem 1.2rem; margin: 1.4rem 0; }
 .answer p { margin: .35rem 0; font-size: 1.08rem; }
-.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem 1.4rem; }
+.plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(20rem, 1fr)); gap: 1rem 1.4rem; }
 .plots svg { width: 100%; height: auto; max-width: 34rem; }
 .tables { display: flex; flex-wrap: wrap; gap: .4rem 3rem; }
 .wide { overflow-x: auto; } .wide table { font-size: .8rem; } .wide th, .wide td { padding: .2rem .5rem; }

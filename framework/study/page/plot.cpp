@@ -10,6 +10,7 @@ namespace ashlar::study {
 namespace {
 
 constexpr double width = 340, height = 262;
+constexpr double least_gap = 46;  // between the texts of ticks
 constexpr double left = 68, right = 20, top = 30, bottom = 44;
 
 std::string at(double x, double y) {
@@ -101,9 +102,12 @@ class Drawing {
   }
 
   void axes() {
+    double last = -least_gap;
     for (const double tick : ticks(x_.low(), x_.high(), plot_.x.log)) {
       const double x = x_(tick);
       svg_ += "<path d=\"M" + at(x, top) + "V" + printed("%.1f", height - bottom) + "\" class=\"grid\"/>";
+      if (x - last < least_gap) continue;
+      last = x;
       svg_ +=
           text_at(x, height - bottom + 15, tick_text(plot_.x, tick), "class=\"tick\" text-anchor=\"middle\"");
     }
@@ -116,7 +120,6 @@ class Drawing {
             printed("%.1f", width - right) + "\" class=\"axis\"/>\n";
     svg_ += text_at((left + width - right) / 2, height - 10, plot_.x.label,
                     "class=\"label\" text-anchor=\"middle\"");
-    svg_ += text_at(width - right, 16, plot_.y.label, "class=\"label\" text-anchor=\"end\"");
   }
 
   static std::string tick_text(const Axis& axis, double value) {

@@ -21,7 +21,7 @@ struct PlotSeries {
 };
 
 struct Axis {
-  std::string label;
+  std::string label;  ///< of x; what y is says the title
   bool log = true;
   std::function<std::string(double)> text;  ///< of its ticks; plain numbers by default
 };

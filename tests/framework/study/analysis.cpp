@@ -111,11 +111,31 @@ TEST_F(MadeUp, finest_run_has_no_error_of_its_own) {
 }
 
 TEST_F(MadeUp, limits_that_disagree_widen_the_reference) {
-  for (std::size_t c = 4; c < 8; ++c) *outcomes[c].values[0] += 0.5;
+  for (std::size_t c = 4; c < 8; ++c) *outcomes[c].values[0] += 0.2;
   const Finding finding = only();
-  EXPECT_NEAR(finding.reference.uncertainty, 0.5, 1e-6);
+  EXPECT_NEAR(finding.reference.uncertainty, 0.2, 1e-6);
   EXPECT_NE(finding.reference.how.find("outside both brackets"), std::string::npos);
   EXPECT_EQ(finding.sentences.size(), 2u) << "the reader is told to take it with care";
+}
+
+TEST_F(MadeUp, a_finest_run_that_stands_for_the_limit_is_not_called_exact) {
+  for (std::size_t c = 0; c < 8; ++c)
+    outcomes[c].values[0] =
+        2 + (c % 2 == 0 ? 0.1 : -0.1) / static_cast<double>(1 + c % 4) + (c > 3 ? 0.01 : 0);
+  const Finding finding = only();
+  ASSERT_TRUE(finding.reference.itself.has_value());
+  EXPECT_TRUE(std::isnan(finding.readings[*finding.reference.itself].relative));
+  for (const std::string& sentence : finding.sentences)
+    EXPECT_EQ(sentence.find("exact"), std::string::npos) << sentence;
+}
+
+TEST_F(MadeUp, no_accuracy_is_claimed_that_the_reference_does_not_have) {
+  for (std::size_t c = 0; c < 8; ++c)
+    outcomes[c].values[0] = 2 + (c % 2 == 0 ? 1 : -1) / static_cast<double>(1 + c % 4) + (c > 3 ? 0.01 : 0);
+  const Finding finding = only();
+  ASSERT_EQ(finding.sentences.size(), 1u);
+  EXPECT_TRUE(finding.sentences[0].starts_with("What an accuracy of the tip costs cannot be told"))
+      << finding.sentences[0];
 }
 
 TEST_F(MadeUp, problems_have_references_of_their_own) {
