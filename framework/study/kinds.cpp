@@ -15,7 +15,8 @@ using model::otherwise;
 using model::parameter;
 using model::required;
 using model::within;
-using model::operator|;
+// clang-tidy 14 does not see that operators are used.
+using model::operator|;  // NOLINT(misc-unused-using-decls)
 
 core::Schema measure() {
   const auto text = [](const char* key, const char* doc) { return parameter(key, Form::text, doc); };
@@ -37,7 +38,10 @@ core::Schema measure() {
                "what is right: a number, a function of the case's parameters, \"finest\" (the run with most "
                "unknowns), or \"richardson\" (the limit that refined runs tend to, with its uncertainty)") |
                otherwise(make_value(std::string("richardson"))) | model::one_of({"richardson", "finest"})},
-          {{{"probe", "joint", "at"}}, {{"joint", "minus"}, 0, 1}, {{"at", "quantity"}, 1, 1}}};
+          {{{"probe", "joint", "at"}},
+           {{"joint", "minus", "at"}, 0, 1},
+           {{"stage", "at"}, 0, 1},
+           {{"at", "quantity"}, 1, 1}}};
 }
 
 core::Schema study() {

@@ -131,7 +131,7 @@ Value without_units(const Value& study, Mistakes& mistakes) {
     measure = core::make_value(std::move(table), measure.place);
   }
   for (auto& [key, value] : changed.entries)
-    if (key == "measure") value = core::make_value(std::move(list), value.place);
+    if (key == "measure") value = core::make_value(list, value.place);
   return core::make_value(std::move(changed), study.place);
 }
 
@@ -142,7 +142,9 @@ std::vector<Measure> read_measures(const Settings& root, Mistakes& mistakes) {
     measure.name = name;
     measure.settings = settings;
     measure.title = settings.said("title") ? settings.text("title") : name;
-    const auto word = [&](const char* key) { return settings.has(key) ? settings.text(key) : ""; };
+    const auto word = [&settings = settings](const char* key) {
+      return settings.has(key) ? settings.text(key) : "";
+    };
     measure.stage = word("stage");
     measure.probe = word("probe");
     measure.minus = word("minus");

@@ -29,7 +29,7 @@ std::string first_words(const fs::path& log) {
 
 std::string reason_of(const Ended& ended, const fs::path& log) {
   if (ended.code == 0) return {};
-  const std::string said = first_words(log);
+  std::string said = first_words(log);
   if (!said.empty()) return said;
   return ended.code > 128 ? "ended by signal " + std::to_string(ended.code - 128) : "it said nothing";
 }

@@ -25,7 +25,7 @@ std::string format(const char* pattern, double value) {
 class Teller {
  public:
   Teller(const Study& study, const Finding& finding, const std::vector<Outcome>& outcomes)
-      : study_(study), finding_(finding), outcomes_(outcomes), measure_(study.measures[finding.measure]) {
+      : study_(study), finding_(finding), measure_(study.measures[finding.measure]) {
     for (const std::size_t r : finding.front) {
       const Reading& reading = finding.readings[r];
       front_.push_back(
@@ -145,7 +145,6 @@ class Teller {
 
   const Study& study_;
   const Finding& finding_;
-  const std::vector<Outcome>& outcomes_;
   const Measure& measure_;
   std::vector<Bargain> front_;
 };
