@@ -36,7 +36,7 @@ std::string number(double value) {
 std::string heading(const Study& study) {
   std::string line = "case,status,reason";
   for (const std::string& key : keys_of(study)) line += "," + output::csv_field(key);
-  line += ",cells,h [m],unknowns,wall [s],worst wall [s],cpu [s],memory [B]";
+  line += ",mesh cells,h [m],unknowns,wall [s],worst wall [s],cpu [s],memory [B]";
   for (const char* part : part_names) line += "," + std::string(part) + " [s]";
   for (const Measure& measure : study.measures) {
     const std::string unit = unit_of(measure.quantity);
