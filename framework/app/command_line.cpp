@@ -9,16 +9,24 @@ namespace ashlar::app {
 
 namespace {
 
-const std::vector<std::string> verbs = {"run", "check", "plan", "list", "describe"};
-const std::vector<std::string> options = {"--set",   "--out",   "--json", "--threads",
-                                          "--quiet", "--trust", "--help", "--version"};
+const std::vector<std::string> verbs = {"run", "check", "plan", "study", "list", "describe"};
+const std::vector<std::string> options = {"--set",  "--out",      "--json",   "--threads",
+                                          "--jobs", "--resume",   "--quiet",  "--trust",
+                                          "--help", "--no-files", "--version"};
 
-int read_threads(const std::string& word) {
+int read_count(const std::string& name, const std::string& word) {
   int number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error != std::errc() || end != word.data() + word.size() || number < 1 || number > 1024)
-    fail("--threads takes a whole number from 1 to 1024, got '" + word + "'");
+    fail(name + " takes a whole number from 1 to 1024, got '" + word + "'");
   return number;
+}
+
+std::string read_resume(const std::string& word) {
+  static const std::vector<std::string> choices = {"all", "good", "none"};
+  if (std::find(choices.begin(), choices.end(), word) == choices.end())
+    fail("--resume takes all, good or none, got '" + word + "'", core::did_you_mean(word, choices));
+  return word;
 }
 
 std::pair<std::string, std::string> read_setting(const std::string& word) {
@@ -42,7 +50,13 @@ void read_option(const std::string& name, Value value, CommandLine& line) {
   else if (name == "--json")
     line.json = value();
   else if (name == "--threads")
-    line.threads = read_threads(value());
+    line.threads = read_count(name, value());
+  else if (name == "--jobs")
+    line.jobs = read_count(name, value());
+  else if (name == "--resume")
+    line.resume = read_resume(value());
+  else if (name == "--no-files")
+    line.files = false;
   else
     fail("there is no option '" + name + "'", core::did_you_mean(name, options));
 }
@@ -53,6 +67,14 @@ void check_words(const CommandLine& line) {
   if (takes_scene && count != 1)
     fail("`ashlar " + line.verb + "` takes one scene, got " + std::to_string(count),
          "for example: ashlar " + line.verb + " examples/jointed_dam");
+  if (line.verb == "study" && count != 1)
+    fail("`ashlar study` takes one study, got " + std::to_string(count),
+         "for example: ashlar study examples/jointed_dam");
+  if (line.verb == "study" && (!line.json.empty() || !line.files))
+    fail("`ashlar study` takes neither --json nor --no-files",
+         "it always writes study.json; whether the runs write files says `files` in the study");
+  if (line.verb != "study" && (line.jobs != 0 || line.resume != "all"))
+    fail("--jobs and --resume are for `ashlar study`", "`ashlar --help` tells what each verb takes");
   if (line.verb == "list" && count > 1) fail("`ashlar list` takes one kind or nothing");
   if (line.verb == "describe" && count != 1)
     fail("`ashlar describe` takes a kind, an entry or a word of the script",
@@ -105,15 +127,19 @@ std::string help_text() {
   ashlar run SCENE         compute a scene and write its results
   ashlar check SCENE       report every mistake in a scene; nothing is computed
   ashlar plan SCENE        mesh a scene and say what would be simulated, what not, and at what size
+  ashlar study STUDY       run a scene many times and tell what accuracy costs: table, JSON and a page with plots
   ashlar list [KIND]       what can be said in a script, by kind
   ashlar describe WORD     keys, units, defaults, ranges of a kind, an entry or a word: mesh, mesh.voronoi, Polygon, units
 
-SCENE is a Lua file, or a folder with scene.lua in it.
+SCENE is a Lua file, or a folder with scene.lua in it; STUDY the same with study.lua.
 
   --set key=value    give a parameter of the scene another value; may be repeated
-  --out DIR          where results go; default: the folder results beside the scene
+  --out DIR          where results go; default: the folder results beside the scene, results/study beside a study
   --json FILE        also write the results for machines; - for the terminal
+  --no-files         write nothing but what --json asks for
   --threads N        default: as many as the machine has; results do not depend on it
+  --jobs N           study: runs side by side, if memory allows; default: as many as the machine has
+  --resume WHICH     study: earlier runs to keep: all (the default), good (failed ones are run again) or none
   --quiet            say nothing but mistakes and warnings
   --trust            let the script read and write files and run programs
   --version, --help

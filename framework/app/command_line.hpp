@@ -15,6 +15,9 @@ struct CommandLine {
   std::string out;                                       ///< --out; empty: `results` beside the scene
   std::string json;                                      ///< --json; empty: none
   int threads = 0;                                       ///< --threads; 0: as many as the machine has
+  int jobs = 0;                                          ///< --jobs; 0: as many as the machine has
+  std::string resume = "all";                            ///< --resume: which earlier runs of a study are kept
+  bool files = true;                                     ///< false: --no-files
   bool quiet = false;
   bool trust = false;
   std::string text;  ///< the whole line, for provenance

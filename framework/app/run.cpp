@@ -30,7 +30,7 @@ fs::path results_folder(const CommandLine& line) {
 
 /// A folder or file that cannot be written shows now, before anything is computed.
 void check_writable(const CommandLine& line, const fs::path& out) {
-  const output::Transaction trial(out);
+  if (line.files) const output::Transaction trial(out);
   if (line.json.empty() || line.json == "-") return;
   const fs::path folder = fs::absolute(line.json).parent_path();
   if (!fs::is_directory(folder)) fail("--json: there is no folder " + folder.string(), "");
@@ -131,7 +131,7 @@ int run(const CommandLine& line) {
                            1};
   add_provenance(line, scenario->script, record);
   std::vector<fs::path> files;
-  {
+  if (line.files) {
     const auto timing = core::ledger().time("write");
     files = output::write_results(record, out);
   }

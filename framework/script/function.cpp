@@ -34,7 +34,42 @@ class ScriptFunction : public core::Function {
     return all[0].value;
   }
 
+  core::Quantity call_with(const std::vector<std::pair<std::string, core::Value>>& named,
+                           const std::string& what) const {
+    std::optional<core::Quantity> result;
+    const auto fails = [&](const std::string& how) {
+      core::Place place = place_;
+      return core::InputError(core::Mistake{place, "the function, called for " + what + ", " + how, {}});
+    };
+    const auto failure = machine_->protect([&](lua_State* L) {
+      lua_rawgeti(L, LUA_REGISTRYINDEX, reference_);
+      lua_newtable(L);
+      for (const auto& [key, value] : named) {
+        push(L, value);
+        lua_setfield(L, -2, key.c_str());
+      }
+      lua_call(L, 1, 1);
+      result = to_quantity(L, -1);
+      if (!result) throw fails(std::string("must return a number, but returns a ") + luaL_typename(L, -1));
+    });
+    if (failure) throw fails("fails: " + failure->what);
+    if (!std::isfinite(result->value)) throw fails("returns " + core::format_quantity(result->value, {}));
+    return *result;
+  }
+
  private:
+  static void push(lua_State* L, const core::Value& value) {
+    const core::Quantity* quantity = value.quantity();
+    if (quantity && quantity->bare)
+      lua_pushnumber(L, quantity->value);
+    else if (quantity)
+      push_quantity(L, quantity->value, quantity->dimension);
+    else if (const std::string* text = value.text())
+      lua_pushlstring(L, text->data(), text->size());
+    else
+      lua_pushboolean(L, value.boolean() && *value.boolean());
+  }
+
   static std::string unit_words(core::Dimension dimension) {
     const std::string unit = core::to_string(dimension);
     return unit.empty() ? "a pure number" : "a number in " + unit;
@@ -94,6 +129,12 @@ std::shared_ptr<const core::Function> make_function(const std::shared_ptr<Machin
   }
   lua_pushvalue(L, index);
   return std::make_shared<ScriptFunction>(machine, luaL_ref(L, LUA_REGISTRYINDEX), std::move(place));
+}
+
+core::Quantity call_with(const core::Function& function,
+                         const std::vector<std::pair<std::string, core::Value>>& named,
+                         const std::string& what) {
+  return dynamic_cast<const ScriptFunction&>(function).call_with(named, what);
 }
 
 }  // namespace ashlar::script

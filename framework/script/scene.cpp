@@ -1,5 +1,7 @@
 // Reading scenarios and data files: see script.hpp.
 
+#include <algorithm>
+
 #include "script/convert.hpp"
 #include "script/param.hpp"
 #include "script/sandbox.hpp"
@@ -18,31 +20,38 @@ void add_failure(const Failure& failure, core::Mistakes& mistakes) {
   if (!follows) mistakes.add(failure.place, failure.what, failure.advice);
 }
 
-void check_is_scene(lua_State* L, const core::Value& value, const std::string& name,
-                    core::Mistakes& mistakes) {
+void check_returned(lua_State* L, const core::Value& value, const std::string& name,
+                    const std::vector<std::string>& words, core::Mistakes& mistakes) {
   const core::Table* table = value.table();
-  if (table && table->constructor == "Scene") return;
+  if (table && std::ranges::find(words, table->constructor) != words.end()) return;
   const core::Place place{name, table ? value.place.line : 0, {}};
+  const std::string wanted = words.front() + " { … }";
+  const bool study = table && table->constructor == "Study", scene = table && table->constructor == "Scene";
   if (lua_isnil(L, -1))
-    mistakes.add(place, "the script returns nothing", "a scenario ends with: return Scene { … }");
+    mistakes.add(
+        place, "the script returns nothing",
+        (wanted.starts_with("Scene") ? "a scenario" : "such a script") + (" ends with: return " + wanted));
   else if (!is_undefined(L, -1))
-    mistakes.add(place, "the script must return Scene { … }, but returns " + value.type_name());
+    mistakes.add(place, "the script must return " + wanted + ", but returns " + value.type_name(),
+                 study   ? "it is a study: `ashlar study " + name + "` runs it"
+                 : scene ? "it is a scene: `ashlar run " + name + "` runs it"
+                         : "");
 }
 
 // Runs a file and converts what it returns.
 core::Value run_file(const std::shared_ptr<Machine>& machine, const std::filesystem::path& file,
-                     const core::Registry* registry, bool trust, core::Mistakes& mistakes) {
+                     const core::Registry* registry, const Options& options, core::Mistakes& mistakes) {
   core::Value value;
   const std::string name = file.string();
   machine->mistakes = &mistakes;
   auto work = [&](lua_State* L) {
-    make_sandbox(L, {registry, trust});
+    make_sandbox(L, {registry, options.trust});
     if (machine->params) add_global(L, "param", guarded<param>);
     if (!machine->compile(L, file, name, read_text(file))) return;
     machine->run_chunk(L);
     value = convert(machine, L, -1, {name, 0, {}}, mistakes);
     if (!machine->params) return;
-    check_is_scene(L, value, name, mistakes);
+    check_returned(L, value, name, options.returns, mistakes);
     check_all_used(*machine->params, mistakes);
   };
   try {
@@ -54,20 +63,27 @@ core::Value run_file(const std::shared_ptr<Machine>& machine, const std::filesys
   return value;
 }
 
+// "Scene" → "scene.lua"
+std::string file_of(std::string word) {
+  word.front() = static_cast<char>(word.front() - 'A' + 'a');
+  return word + ".lua";
+}
+
 }  // namespace
 
 ScriptResult read_scene(const std::filesystem::path& file_or_folder, const core::Registry& registry,
                         const Options& options, core::Mistakes& mistakes) {
   std::error_code error;
   const bool folder = std::filesystem::is_directory(file_or_folder, error);
-  const std::filesystem::path file = folder ? file_or_folder / "scene.lua" : file_or_folder;
+  const std::filesystem::path file =
+      folder ? file_or_folder / file_of(options.returns.front()) : file_or_folder;
   const auto machine = std::make_shared<Machine>(options.seconds, options.memory);
   machine->require_from = options.library;
   machine->require_from.insert(machine->require_from.begin(), file.parent_path());
   machine->params = std::make_shared<Params>();
   for (const auto& [name, text] : options.set) machine->params->set[name] = text;
   ScriptResult result;
-  result.scene = run_file(machine, file, &registry, options.trust, mistakes);
+  result.scene = run_file(machine, file, &registry, options, mistakes);
   result.params = std::move(machine->params->uses);  // their functions must not keep their own owner alive
   for (const Source& source : machine->sources()) result.sources.emplace_back(source.path, source.text);
   return result;
@@ -76,7 +92,7 @@ ScriptResult read_scene(const std::filesystem::path& file_or_folder, const core:
 core::Value read_data(const std::filesystem::path& file) {
   const auto machine = std::make_shared<Machine>(data_seconds, data_memory);
   core::Mistakes mistakes;
-  core::Value value = run_file(machine, file, nullptr, false, mistakes);
+  core::Value value = run_file(machine, file, nullptr, {}, mistakes);
   if (mistakes.empty() && !value.table()) mistakes.add({file.string(), 0, {}}, "must return a table");
   mistakes.throw_if_any();
   return value;

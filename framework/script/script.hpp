@@ -17,6 +17,8 @@ namespace ashlar::script {
 struct Options {
   std::vector<std::pair<std::string, std::string>> set;  ///< `--set name=expression`; the last of a name wins
   std::vector<std::filesystem::path> library;            ///< searched by `require` after the scene's folder
+  std::vector<std::string> returns = {"Scene"};          ///< what the script may return; a folder stands for
+                                                         ///< the first word's file, scene.lua or study.lua
   bool trust = false;                                    ///< gives the script io and os
   double seconds = 10;                                   ///< wall time of the script, and of each later call
   std::size_t memory = std::size_t{1} << 30;             ///< bytes of the script's own memory
@@ -42,12 +44,18 @@ struct ScriptResult {
       sources;  ///< every file that was read, and its text
 };
 
-/// Runs a scenario: a file, or a folder with scene.lua in it. Every mistake goes to `mistakes`, with the
-/// file as it was given; nothing is thrown for a user's mistake. Undefined names give a value that absorbs
-/// whatever is done with it (it arrives as nothing), so that later mistakes are found in the same run.
-/// Functions inside the scene keep the script's memory alive and may be called until they are destroyed.
+/// Runs a scenario (or a study): a file, or a folder with scene.lua in it. Every mistake goes to `mistakes`,
+/// with the file as it was given; nothing is thrown for a user's mistake. Undefined names give a value that
+/// absorbs whatever is done with it (it arrives as nothing), so that later mistakes are found in the same
+/// run. Functions inside the scene keep the script's memory alive and may be called until they are destroyed.
 ScriptResult read_scene(const std::filesystem::path& file_or_folder, const core::Registry& registry,
                         const Options& options, core::Mistakes& mistakes);
+
+/// The one number that a script's function returns for a table of named values. Throws InputError naming the
+/// place and `what` it was called for if it fails or gives something else.
+core::Quantity call_with(const core::Function& function,
+                         const std::vector<std::pair<std::string, core::Value>>& named,
+                         const std::string& what);
 
 /// Reads every */module.lua in the folders, sorted by folder name, and registers what they provide; opens no
 /// library. A module's library is FOLDER/ashlar_NAME.so. Folders that do not exist are skipped.

@@ -1,4 +1,5 @@
-// Every file in tests/bad_scripts says in its first lines what the program must answer:
+// Every file in tests/bad_scripts, and every study in tests/bad_studies, says in its first lines what the
+// program must answer:
 //   -- expect 12: must be above 0 Pa     a message that starts at line 12 and contains this
 //   -- expect: did you mean 'rock'?      anywhere
 //   -- options: --set level=3
@@ -15,9 +16,9 @@
 namespace ashlar::test {
 namespace {
 
-std::vector<std::string> names_of_scripts() {
+std::vector<std::string> names_of_scripts(const std::string& folder = "tests/bad_scripts") {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(source_folder / "tests/bad_scripts"))
+  for (const auto& entry : fs::directory_iterator(source_folder / folder))
     if (entry.path().extension() == ".lua") names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
   return names;
@@ -80,6 +81,23 @@ TEST_P(BadScript, is_answered_and_writes_nothing) {
 
 INSTANTIATE_TEST_SUITE_P(all, BadScript, testing::ValuesIn(names_of_scripts()),
                          [](const auto& info) { return "script_" + info.param; });
+
+class BadStudy : public testing::TestWithParam<std::string> {};
+
+TEST_P(BadStudy, is_answered_and_runs_nothing) {
+  const std::string file = GetParam() + ".lua";
+  const fs::path folder = source_folder / "tests/bad_studies";
+  const Expected expected = expected_of(folder / file);
+  ASSERT_FALSE(expected.messages.empty()) << "the study does not say what to expect";
+  const ScratchFolder scratch;
+  const Ended ended =
+      call("study " + file + " --out " + quoted(scratch / "results") + " " + expected.options, folder);
+  expect_messages(ended, file, expected);
+  EXPECT_FALSE(fs::exists(scratch / "results"));
+}
+
+INSTANTIATE_TEST_SUITE_P(all, BadStudy, testing::ValuesIn(names_of_scripts("tests/bad_studies")),
+                         [](const auto& info) { return "study_" + info.param; });
 
 TEST(bad_scripts, there_are_enough_of_them) {
   EXPECT_GE(names_of_scripts().size(), 30u);

@@ -6,7 +6,7 @@ set -uo pipefail
 cd "$1" || exit 2
 shift
 rules=("${@:-}")
-layers="core geometry mesh fields algebra model solve output script app"
+layers="core geometry mesh fields algebra model solve output script study app"
 
 # files FOLDER… -- ENDING… : our files, without what builds and runs leave behind.
 files() {

@@ -1,0 +1,16 @@
+#pragma once
+// The study as tables for machines.
+
+#include <string>
+
+#include "study/analysis.hpp"
+
+namespace ashlar::study {
+
+/// One row a case, SI units; failed cases too, with their reason.
+std::string study_csv(const Study& study, const std::vector<Outcome>& outcomes, const Analysis& analysis);
+
+/// Everything: cases with all their runs, findings with references, orders, fronts and ladders.
+std::string study_json(const Study& study, const std::vector<Outcome>& outcomes, const Analysis& analysis);
+
+}  // namespace ashlar::study
