@@ -42,7 +42,7 @@ FieldResult displacement_field(const Model& model, std::span<const double> u) {
 
 FieldResult strain_field(std::span<const model::Voigt> strain) {
   FieldResult field{"strain", "", On::cells, 3, {"xx", "yy", "gamma_xy"}, {}};
-  for (const model::Voigt& e : strain) field.values.insert(field.values.end(), e.begin(), e.end());
+  for (const model::Voigt& e : strain) field.values.insert(field.values.end(), e.begin(), e.begin() + 3);
   return field;
 }
 

@@ -12,17 +12,22 @@ Elastic::Elastic(double e, double nu, Plane plane, Weight weight) : weight_(weig
   mu_ = e / (2 * (1 + nu));
   lambda_ = plane == Plane::strain ? e * nu / ((1 + nu) * (1 - 2 * nu)) : e * nu / (1 - nu * nu);
   plane_modulus_ = plane == Plane::strain ? e / (1 - nu * nu) : e;
-  nu_zz_ = plane == Plane::strain ? nu : 0;
+  out_of_plane_ = plane == Plane::strain;
 }
 
 model::Response Elastic::respond(const model::Voigt& strain, std::span<const double>,
                                  std::span<double>) const {
   model::Response response;
   const double direct = lambda_ + 2 * mu_;
-  response.stress = {direct * strain[0] + lambda_ * strain[1], lambda_ * strain[0] + direct * strain[1],
-                     mu_ * strain[2]};
-  response.stress_zz = nu_zz_ * (response.stress[0] + response.stress[1]);
-  response.tangent = {direct, lambda_, 0, lambda_, direct, 0, 0, 0, mu_};
+  const double xx = strain[0], yy = strain[1], zz = out_of_plane_ ? strain[3] : 0;
+  const double volumetric = lambda_ * (xx + yy + zz);
+  response.stress = {volumetric + 2 * mu_ * xx, volumetric + 2 * mu_ * yy, mu_ * strain[2],
+                     out_of_plane_ ? volumetric + 2 * mu_ * zz : 0};
+  response.tangent = {direct, lambda_, 0, 0, lambda_, direct, 0, 0, 0, 0, mu_, 0, 0, 0, 0, 0};
+  if (out_of_plane_) {
+    response.tangent[3] = response.tangent[7] = response.tangent[12] = response.tangent[13] = lambda_;
+    response.tangent[15] = direct;
+  }
   return response;
 }
 

@@ -26,7 +26,8 @@ class Elastic final : public model::Material {
   double plane_modulus() const override { return plane_modulus_; }
 
  private:
-  double mu_, lambda_, plane_modulus_, nu_zz_;
+  double mu_, lambda_, plane_modulus_;
+  bool out_of_plane_;  ///< carries stress out of the plane: not in plane stress
   Weight weight_;
 };
 

@@ -14,8 +14,8 @@ using model::Model;
 
 CellStresses cell_stresses(const Model& model, const mesh::Adjacency& dofs, std::span<const double> u) {
   const auto count = static_cast<std::size_t>(model.mesh.cell_count());
-  CellStresses found{std::vector<model::Voigt>(count), std::vector<Stress>(count), std::vector<double>(count),
-                     std::vector<Point>(count)};
+  CellStresses found{std::vector<model::Voigt>(count), std::vector<model::Voigt>(count),
+                     std::vector<double>(count), std::vector<Point>(count)};
   core::parallel_for(count, 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       const auto index = static_cast<Index>(c);
@@ -25,8 +25,7 @@ CellStresses cell_stresses(const Model& model, const mesh::Adjacency& dofs, std:
         found.centroid[c] = geometry::centroid(cell.corners);
         found.strain[c] = model.element->strain(cell, local, found.centroid[c]);
       });
-      const model::Response response = model.material(index).respond(found.strain[c], {}, {});
-      found.stress[c] = {response.stress[0], response.stress[1], response.stress[2], response.stress_zz};
+      found.stress[c] = model.material(index).respond(found.strain[c], {}, {}).stress;
     }
   });
   return found;

@@ -20,10 +20,10 @@ namespace ashlar::elasticity {
 using mesh::Index;
 using model::Point;
 
-using Stress = std::array<double, 4>;  ///< xx, yy, xy, zz [Pa]; tension positive
+using Stress = model::Voigt;  ///< xx, yy, xy, zz [Pa]; tension positive
 
 struct CellStresses {
-  std::vector<model::Voigt> strain;  ///< xx, yy, γ_xy
+  std::vector<model::Voigt> strain;  ///< xx, yy, γ_xy, zz
   std::vector<Stress> stress;
   std::vector<double> area;     ///< [m²]
   std::vector<Point> centroid;  ///< [m]

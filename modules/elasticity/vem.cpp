@@ -62,16 +62,16 @@ Scratch<Row> residual_rows(const CellShape& shape, std::span<const double> d) {
   return rows;
 }
 
-/// Columns of D B_k, times |E| t.
+/// Columns of D B_k, times |E| t: (xx, yy, xy).
 struct StressOf {
-  Voigt x, y;
+  std::array<double, 3> x, y;
 };
 
 StressOf stress_of(const Tangent& d, Point g, double volume) {
   StressOf s;
   for (std::size_t r = 0; r < 3; ++r) {
-    s.x[r] = volume * (d[3 * r] * g.x + d[3 * r + 2] * g.y);
-    s.y[r] = volume * (d[3 * r + 1] * g.y + d[3 * r + 2] * g.x);
+    s.x[r] = volume * (d[4 * r] * g.x + d[4 * r + 2] * g.y);
+    s.y[r] = volume * (d[4 * r + 1] * g.y + d[4 * r + 2] * g.x);
   }
   return s;
 }
