@@ -6,6 +6,7 @@
 
 #include "core/ledger.hpp"
 #include "core/log.hpp"
+#include "geometry/polygon.hpp"
 #include "mesh/generator.hpp"
 
 namespace ashlar::solve {
@@ -80,6 +81,23 @@ void name_file_regions(const model::Scene& scene, mesh::RawMesh& raw, core::Mist
   for (const auto& region : scene.regions) raw.regions.push_back(region.name);
 }
 
+/// The first cell that the element cannot take.
+void check_cells(const model::Model& model, const model::Scene& scene, core::Mistakes& mistakes) {
+  std::vector<geometry::Point> corners;
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
+    model.mesh.corners(cell, corners);
+    const std::string why = model.element->refuses({corners, model.thickness});
+    if (why.empty()) continue;
+    const geometry::Point at = geometry::centroid(corners);
+    mistakes.add(scene.element.place,
+                 why + "; the cell at (" + core::format_quantity(at.x, {1, 0, 0}) + ", " +
+                     core::format_quantity(at.y, {1, 0, 0}) + ") has " + std::to_string(corners.size()) +
+                     " corners",
+                 "element = \"vem\" takes any polygon");
+    return;
+  }
+}
+
 }  // namespace
 
 mesh::Domain build_domain(const model::Scene& scene, core::Mistakes& mistakes) {
@@ -142,6 +160,7 @@ model::Model build_model(const model::Scene& scene, core::Registry& registry, co
     if (!mistakes.empty()) return built;
     built.mesh = mesh::build_mesh(std::move(raw), domain);
   }
+  check_cells(built, scene, mistakes);
   const model::NodeCounts nodes = built.element->nodes();
   built.dofs =
       fields::DofMap(built.mesh, {"displacement", "m", 2, nodes.per_point, nodes.per_edge, nodes.per_cell});

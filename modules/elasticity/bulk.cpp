@@ -74,14 +74,7 @@ void add_stress_fields(const std::set<std::string>& wanted, const std::string& s
 }  // namespace
 
 Bulk::Bulk(const Model& model, std::set<std::string> fields)
-    : Stiffness("elasticity"), model_(model), fields_(std::move(fields)) {
-  std::vector<Index> dofs;
-  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
-    dofs.clear();
-    model.dofs.append_cell(model.mesh, cell, dofs);
-    dofs_.append(dofs);
-  }
-}
+    : Stiffness("elasticity"), model_(model), fields_(std::move(fields)), layout_(model) {}
 
 void Bulk::add_tangent(const algebra::ScatterMap& map, std::span<double> value) const {
   algebra::assemble(map, value, [this](Index index, std::span<double> packed) {
@@ -92,8 +85,8 @@ void Bulk::add_tangent(const algebra::ScatterMap& map, std::span<double> value) 
 }
 
 void Bulk::add_internal_force(std::span<const double> u, std::span<double> force) const {
-  algebra::assemble(dofs_, force, [&](Index index, std::span<double> local_force) {
-    const Scratch<double, 64> local = gather(dofs_[index], u);
+  algebra::assemble(layout_.dofs, force, [&](Index index, std::span<double> local_force) {
+    const Scratch<double, 64> local = gather(layout_.dofs[index], u);
     std::fill(local_force.begin(), local_force.end(), 0.0);
     with_cell(model_, index, [&](const model::Cell& cell) {
       model_.element->add_internal_force(cell, model_.material(index), local, local_force);
@@ -102,7 +95,7 @@ void Bulk::add_internal_force(std::span<const double> u, std::span<double> force
 }
 
 std::size_t Bulk::bytes() const {
-  return sizeof(Index) * (dofs_.offsets().size() + dofs_.values().size());
+  return layout_.bytes();
 }
 
 void Bulk::add_results(const fields::State& state, model::StageResult& result) const {
@@ -115,7 +108,7 @@ void Bulk::add_results(const fields::State& state, model::StageResult& result) c
       asked([](const std::string& name) { return name != "displacement" && !name.ends_with("_nodes"); });
   if (fields_.contains("displacement")) result.fields.push_back(displacement_field(model_, u));
   if (!at_points && !in_cells) return;
-  const CellStresses cells = cell_stresses(model_, dofs_, u);
+  const CellStresses cells = cell_stresses(model_, layout_, u);
   if (fields_.contains("strain")) result.fields.push_back(strain_field(cells.strain));
   add_stress_fields(fields_, "", On::cells, cells.stress, result.fields);
   if (at_points)

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "elasticity/layout.hpp"
 #include "model/effect.hpp"
 
 namespace ashlar::elasticity {
@@ -18,7 +19,7 @@ class Bulk final : public model::Stiffness {
   /// `fields`: those of `all_fields` that are wanted as results.
   Bulk(const model::Model& model, std::set<std::string> fields);
 
-  const algebra::Adjacency& groups() const override { return dofs_; }
+  const algebra::Adjacency& groups() const override { return layout_.dofs; }
   void add_tangent(const algebra::ScatterMap& map, std::span<double> value) const override;
   void add_internal_force(std::span<const double> u, std::span<double> force) const override;
   std::size_t bytes() const override;
@@ -27,7 +28,7 @@ class Bulk final : public model::Stiffness {
  private:
   const model::Model& model_;
   std::set<std::string> fields_;
-  algebra::Adjacency dofs_;  ///< of each cell, in the element's order
+  Layout layout_;
 };
 
 class Elasticity final : public model::Effect {

@@ -4,10 +4,16 @@ return {
   doc = "The elastic solid: virtual elements on any polygon, Hooke's law, stresses in cells and at points.",
   provides = {
     { kind = "element", name = "vem", constructor = "element.vem",
-      doc = "Virtual element of order 1: any simple polygon, non-convex or with hanging nodes.",
+      doc = "Virtual element of order 1 to 3: any simple polygon, non-convex or with hanging nodes.",
       parameters = {
         { key = "stabilisation", forms = { "object" }, kind = "stabilisation", default = "bending", numerical = true,
           doc = "How deformation that the linear projection does not see is stiffened." },
+      } },
+    { kind = "element", name = "fem", constructor = "element.fem",
+      doc = "Finite elements for comparison: triangles of 3 or 6 nodes, quadrilaterals of 4 or 8; order 1 or 2.",
+      parameters = {
+        { key = "incompatible", forms = { "boolean" }, default = false,
+          doc = "Bending modes inside quadrilaterals of order 1." },
       } },
     { kind = "stabilisation", name = "bending", constructor = "stabilisation.bending",
       doc = "As stiff as the cell against bending: parallelograms of any aspect bend exactly.",

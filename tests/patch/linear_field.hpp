@@ -32,7 +32,8 @@ inline void expect_exact(Solid& solid, double tolerance = 1e-12) {
   const elasticity::Stress stress = exact.stress;
   double scale = 0, cell_error = 0, point_error = 0;
   for (const double s : stress) scale = std::max(scale, std::abs(s));
-  const auto cells = elasticity::cell_stresses(solid.model, solid.bulk->groups(), solid.state.committed(0));
+  const auto cells =
+      elasticity::cell_stresses(solid.model, elasticity::Layout(solid.model), solid.state.committed(0));
   const auto points = elasticity::recover_at_points(solid.model, cells);
   for (int k = 0; k < 4; ++k) {
     for (const auto& s : cells.stress) cell_error = std::max(cell_error, std::abs(s[k] - stress[k]));
