@@ -134,10 +134,6 @@ std::vector<std::shared_ptr<const model::Material>> build_materials(const model:
     }
     const auto make = registry.make<model::MakeMaterial>("material", region.material.name);
     materials.push_back(make(region.material, scene.plane, mistakes));
-    const model::Material* made = materials.back().get();
-    if (made && (!made->linear() || made->internal_variables() > 0))
-      mistakes.add(region.material.place, "the law '" + region.material.name + "' is nonlinear",
-                   "this version solves linear laws only");
   }
   return materials;
 }

@@ -101,23 +101,38 @@ std::size_t Bulk::bytes() const {
 void Bulk::add_results(const fields::State& state, model::StageResult& result) const {
   const fields::State::Id id = state.find("displacement");
   assert(id >= 0);
-  const std::span<const double> u = state.committed(id);
-  const auto asked = [&](auto&& belongs) { return std::any_of(fields_.begin(), fields_.end(), belongs); };
+  add_solid_results(model_, layout_, fields_, state.committed(id), {}, result);
+}
+
+void add_solid_results(const Model& model, const Layout& layout, const std::set<std::string>& fields,
+                       std::span<const double> u, std::span<const double> history,
+                       model::StageResult& result) {
+  const auto asked = [&](auto&& belongs) { return std::any_of(fields.begin(), fields.end(), belongs); };
   const bool at_points = asked([](const std::string& name) { return name.ends_with("_nodes"); });
   const bool in_cells =
       asked([](const std::string& name) { return name != "displacement" && !name.ends_with("_nodes"); });
-  if (fields_.contains("displacement")) result.fields.push_back(displacement_field(model_, u));
+  if (fields.contains("displacement")) result.fields.push_back(displacement_field(model, u));
   if (!at_points && !in_cells) return;
-  const CellStresses cells = cell_stresses(model_, layout_, u);
-  if (fields_.contains("strain")) result.fields.push_back(strain_field(cells.strain));
-  add_stress_fields(fields_, "", On::cells, cells.stress, result.fields);
+  const CellStresses cells = cell_stresses(model, layout, u, history);
+  if (fields.contains("strain")) result.fields.push_back(strain_field(cells.strain));
+  add_stress_fields(fields, "", On::cells, cells.stress, result.fields);
   if (at_points)
-    add_stress_fields(fields_, "_nodes", On::points, recover_at_points(model_, cells), result.fields);
+    add_stress_fields(fields, "_nodes", On::points, recover_at_points(model, cells), result.fields);
 }
 
 void Elasticity::contribute(const model::StageContext& context, model::Terms& terms) {
-  if (!bulk_) bulk_ = std::make_shared<Bulk>(context.model, wanted_fields(context.scene));
-  terms.stiffness.push_back(bulk_);
+  if (!bulk_ && !yielding_) {
+    Layout layout(context.model);
+    if (layout.linear)
+      bulk_ = std::make_shared<Bulk>(context.model, wanted_fields(context.scene));
+    else
+      yielding_ = std::make_shared<Yielding>(context.model, std::move(layout), wanted_fields(context.scene),
+                                             context.state);
+  }
+  if (bulk_)
+    terms.stiffness.push_back(bulk_);
+  else
+    terms.nonlinear.push_back(yielding_);
 }
 
 }  // namespace ashlar::elasticity

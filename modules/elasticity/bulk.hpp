@@ -4,8 +4,7 @@
 #include <set>
 #include <string>
 
-#include "elasticity/layout.hpp"
-#include "model/effect.hpp"
+#include "elasticity/yielding.hpp"
 
 namespace ashlar::elasticity {
 
@@ -31,12 +30,18 @@ class Bulk final : public model::Stiffness {
   Layout layout_;
 };
 
+/// Adds the wanted fields of displacement, strain and stress. `history`: internal variables of all points.
+void add_solid_results(const model::Model& model, const Layout& layout, const std::set<std::string>& fields,
+                       std::span<const double> u, std::span<const double> history,
+                       model::StageResult& result);
+
 class Elasticity final : public model::Effect {
  public:
   void contribute(const model::StageContext& context, model::Terms& terms) override;
 
  private:
-  std::shared_ptr<const Bulk> bulk_;
+  std::shared_ptr<const Bulk> bulk_;  ///< if every law is linear
+  std::shared_ptr<const Yielding> yielding_;
 };
 
 }  // namespace ashlar::elasticity

@@ -13,6 +13,12 @@ struct Layout {
   explicit Layout(const model::Model& model);
 
   std::size_t bytes() const;
+  /// A cell's part of the internal variables.
+  template <class T>
+  std::span<T> of(Index cell, std::span<T> all) const {
+    const auto c = static_cast<std::size_t>(cell);
+    return all.subspan(history[c], history[c + 1] - history[c]);
+  }
 
   mesh::Adjacency dofs;              ///< of each cell, in the element's order
   std::vector<std::size_t> point;    ///< integration points of cell c: point[c] … point[c+1]

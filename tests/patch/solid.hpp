@@ -106,7 +106,7 @@ class Solid {
         constraints.unknown[dof] = constraints.unknowns();
         constraints.dof.push_back(dof);
       }
-    const solve::Bulk factored(model, {bulk}, constraints, {},
+    solve::Bulk factored(model, {{bulk}, {}}, constraints, {},
                                std::make_unique<suitesparse::Cholesky>(suitesparse::Method::automatic));
     failure = factored.report().reason;
     if (!factored.report().done) return {};
