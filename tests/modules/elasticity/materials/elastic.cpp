@@ -1,4 +1,4 @@
-#include "elasticity/elastic.hpp"
+#include "elasticity/materials/elastic/elastic.hpp"
 
 #include <gtest/gtest.h>
 
