@@ -89,8 +89,8 @@ class Search {
   /// `on` is a stress on both faces.
   void line(Region region, const Face& a, const Face& b, const Vector3d& on) {
     const Vector3d r = a.n.cross(b.n), flow_normal = a.m.cross(b.m);
-    const double along = flow_normal.dot(compliant(r));
-    const Vector3d stress = on + r * (flow_normal.dot(compliant(trial_ - on)) / along);
+    const double along = energy(flow_normal, r);
+    const Vector3d stress = on + r * (energy(flow_normal, trial_ - on) / along);
     offer({{stress, r * flow_normal.transpose() / along}, region},
           least_share({&a, &b, nullptr}, compliant(trial_ - stress), moduli_.mu));
   }
@@ -107,6 +107,12 @@ class Search {
   Vector3d compliant(const Vector3d& stress) const {
     const double mean = stress.mean();
     return (stress.array() - mean) / (2 * moduli_.mu) + mean / (3 * moduli_.bulk);
+  }
+
+  /// a·Cb, deviators and means apart: nearly incompressible, the sum would drown in the rounding of one of them.
+  double energy(const Vector3d& a, const Vector3d& b) const {
+    const Vector3d da = a.array() - a.mean(), db = b.array() - b.mean();
+    return da.dot(db) / (2 * moduli_.mu) + a.mean() * b.mean() / moduli_.bulk;
   }
 
   void offer(const Returned& candidate, double share) {
