@@ -31,12 +31,12 @@ const char* MohrCoulomb::region(const Voigt& strain, std::span<const double> com
 std::optional<model::Response> MohrCoulomb::returned(const Voigt& trial_stress) const {
   const PrincipalAxes axes = principal_axes(trial_stress);
   const std::array<int, 3> order = descending(axes.stress);
-  const auto [sorted, region] = mohr_coulomb::return_to(strength_, moduli(), picked(axes.stress, order));
-  if (region == mohr_coulomb::Region::elastic) return {};
+  const auto returned = mohr_coulomb::return_to(strength_, moduli(), picked(axes.stress, order));
+  if (returned.region == mohr_coulomb::Region::elastic) return {};
   PrincipalAnswer answer;
   for (int i = 0; i < 3; ++i) {
-    answer.stress[order[i]] = sorted.stress[i];
-    for (int j = 0; j < 3; ++j) answer.tangent(order[i], order[j]) = sorted.tangent(i, j);
+    answer.stress[order[i]] = returned.answer.stress[i];
+    for (int j = 0; j < 3; ++j) answer.tangent(order[i], order[j]) = returned.answer.tangent(i, j);
   }
   return in_components(axes, answer, moduli().mu);
 }

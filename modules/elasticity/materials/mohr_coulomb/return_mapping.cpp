@@ -109,7 +109,8 @@ class Search {
     return (stress.array() - mean) / (2 * moduli_.mu) + mean / (3 * moduli_.bulk);
   }
 
-  /// a·Cb, deviators and means apart: nearly incompressible, the sum would drown in the rounding of one of them.
+  /// a·Cb, deviators and means apart: nearly incompressible, the sum would drown in the rounding of one of
+  /// them.
   double energy(const Vector3d& a, const Vector3d& b) const {
     const Vector3d da = a.array() - a.mean(), db = b.array() - b.mean();
     return da.dot(db) / (2 * moduli_.mu) + a.mean() * b.mean() / moduli_.bulk;
@@ -121,6 +122,7 @@ class Search {
     if (!(breach < worst_)) return;
     worst_ = breach;
     best_ = candidate;
+    best_.breach = breach;
   }
 
   Faces faces_;
@@ -153,7 +155,7 @@ void search_tension(Search& search, const Faces& f, const Strength& strength) {
   search.line(Region::shear_tension, f.s13, f.t1, {t, 0, low});
   search.point(Region::apex, {t, t, t}, {{&f.t1, &f.t2, &f.t3}});
   search.point(tip ? Region::apex : Region::compression_corner, {t, t, low},
-               {{&f.s13, &f.t1, &f.t2}, {&f.s13, &f.s23, &f.t1}, {&f.s13, &f.s23, &f.t2}});
+               {{&f.s13, &f.t1, &f.t2}, {&f.s13, &f.s23, &f.t2}});
   search.point(tip ? Region::apex : Region::extension_corner, {t, low, low}, {{&f.s13, &f.s12, &f.t1}});
 }
 

@@ -40,6 +40,8 @@ const char* name_of(Region region);
 struct Returned {
   PrincipalAnswer answer;
   Region region = Region::elastic;
+  /// By how much the stress breaches a face, or the flow its cone, as a share of the trial stress: rounding.
+  double breach = 0;
 };
 
 /// Greatest breach of all faces [Pa], each by its distance from the stress; ≤ 0: none.

@@ -176,6 +176,23 @@ TEST(mohr_coulomb, equal_principal_stresses_are_no_special_case) {
     }
 }
 
+// The regions leave no gap: every stress finds one, and not merely the least bad.
+TEST(mohr_coulomb, every_stress_has_its_region) {
+  for (const Case& c : cases()) {
+    const FrictionalStrength shear = frictional(c.cohesion, c.friction, c.dilation);
+    const Strength strength{shear, c.tension < 0 ? greatest_tension(shear) : c.tension};
+    const double most = std::max(c.cohesion, 1e5);
+    for (double first = -4 * most; first <= 9 * most; first += 0.3 * most)
+      for (double second = first; second >= first - 12 * most; second -= 0.4 * most)
+        for (double third = second; third >= second - 12 * most; third -= 0.5 * most) {
+          const auto returned =
+              mohr_coulomb::return_to(strength, isotropic(10e9, c.nu), {first, second, third});
+          ASSERT_LE(returned.breach, 1e-11) << c.title << ": " << first << ' ' << second << ' ' << third
+                                            << ", " << name_of(returned.region);
+        }
+  }
+}
+
 // What a user may say, at strains from rounding to nonsense: always an admissible, finite answer.
 TEST(mohr_coulomb, any_parameters_and_any_strain_give_an_answer) {
   int laws = 0;

@@ -149,6 +149,24 @@ TEST(paths, drucker_prager_matches_triaxial_strengths) {
   EXPECT_NEAR(pulled.points.back().stress[1], pulled_strength, 1e-6 * pulled_strength);
 }
 
+// One step into the depth of yielding meets the held stresses too, by cuts where Newton's method loses its
+// way.
+TEST(paths, great_steps_end_where_small_ones_do) {
+  Leg shear_under_tension;
+  shear_under_tension.strain[2] = 5e-3;
+  shear_under_tension.stress = {0.2e6, -1e6, {}, {}};
+  for (const double dilation : {0.0, 10.0, 30.0})
+    for (const Leg& last : {leg(-20 * unconfined / e, 0, 0), leg(-20 * unconfined / e, 0), leg(5e-3, 0, 0),
+                            shear_under_tension}) {
+      const auto small = led(rock(dilation, 0.3e6), {last}, 200),
+                 great = led(rock(dilation, 0.3e6), {last}, 1);
+      ASSERT_TRUE(small.converged && great.converged) << small.reason << great.reason;
+      for (int i = 0; i < 4; ++i)
+        EXPECT_NEAR(great.points.back().stress[i], small.points.back().stress[i], 0.02 * unconfined)
+            << dilation;
+    }
+}
+
 TEST(paths, a_stress_beyond_the_strength_is_reported) {
   Leg push;
   push.stress = {0, -2 * unconfined, {}, 0};
