@@ -9,7 +9,7 @@ namespace ashlar::app {
 
 namespace {
 
-const std::vector<std::string> verbs = {"run", "check", "plan", "list", "describe"};
+const std::vector<std::string> verbs = {"run", "check", "plan", "drive", "list", "describe"};
 const std::vector<std::string> options = {"--set",   "--out",   "--json", "--threads",
                                           "--quiet", "--trust", "--help", "--version"};
 
@@ -53,6 +53,11 @@ void check_words(const CommandLine& line) {
   if (takes_scene && count != 1)
     fail("`ashlar " + line.verb + "` takes one scene, got " + std::to_string(count),
          "for example: ashlar " + line.verb + " examples/jointed_dam");
+  if (line.verb == "drive" && count != 1)
+    fail("`ashlar drive` takes one script, got " + std::to_string(count),
+         "one that returns Drive { … }: see `ashlar describe Drive`");
+  if (line.verb == "drive" && !line.json.empty())
+    fail("`ashlar drive` writes no JSON", "its numbers are in drive.csv");
   if (line.verb == "list" && count > 1) fail("`ashlar list` takes one kind or nothing");
   if (line.verb == "describe" && count != 1)
     fail("`ashlar describe` takes a kind, an entry or a word of the script",
@@ -105,13 +110,14 @@ std::string help_text() {
   ashlar run SCENE         compute a scene and write its results
   ashlar check SCENE       report every mistake in a scene; nothing is computed
   ashlar plan SCENE        mesh a scene and say what would be simulated, what not, and at what size
+  ashlar drive FILE        lead a material law alone along a path of strains: table, CSV, picture
   ashlar list [KIND]       what can be said in a script, by kind
   ashlar describe WORD     keys, units, defaults, ranges of a kind, an entry or a word: mesh, mesh.voronoi, Polygon, units
 
-SCENE is a Lua file, or a folder with scene.lua in it.
+SCENE is a Lua file, or a folder with scene.lua in it; FILE is one that returns Drive { … }.
 
   --set key=value    give a parameter of the scene another value; may be repeated
-  --out DIR          where results go; default: the folder results beside the scene
+  --out DIR          where results go; default: the folder results beside the scene (NAME_drive beside a Drive)
   --json FILE        also write the results for machines; - for the terminal
   --threads N        default: as many as the machine has; results do not depend on it
   --quiet            say nothing but mistakes and warnings

@@ -10,6 +10,7 @@ constexpr int done = 0, our_fault = 1, input_mistake = 2, not_converged = 3, int
 int run(const CommandLine& line);
 int check(const CommandLine& line);
 int plan(const CommandLine& line);
+int drive(const CommandLine& line);
 int list(const CommandLine& line);
 int describe(const CommandLine& line);
 

@@ -18,31 +18,38 @@ void add_failure(const Failure& failure, core::Mistakes& mistakes) {
   if (!follows) mistakes.add(failure.place, failure.what, failure.advice);
 }
 
-void check_is_scene(lua_State* L, const core::Value& value, const std::string& name,
+// `word` { … } is what the script must return; another kind's table is not read any further.
+void check_returned(lua_State* L, core::Value& value, const core::Place& file, const std::string& word,
                     core::Mistakes& mistakes) {
   const core::Table* table = value.table();
-  if (table && table->constructor == "Scene") return;
-  const core::Place place{name, table ? value.place.line : 0, {}};
+  if (table && table->constructor == word) return;
+  const core::Place place{file.file, table ? value.place.line : 0, {}};
+  const std::string wanted = word + " { … }";
+  std::string advice;
+  if (table && table->constructor == "Drive") advice = "`ashlar drive` takes this script";
+  if (table && table->constructor == "Scene") advice = "`ashlar run` takes this script";
   if (lua_isnil(L, -1))
-    mistakes.add(place, "the script returns nothing", "a scenario ends with: return Scene { … }");
+    mistakes.add(place, "the script returns nothing",
+                 (word == "Scene" ? "a scenario ends with: return " : "it ends with: return ") + wanted);
   else if (!is_undefined(L, -1))
-    mistakes.add(place, "the script must return Scene { … }, but returns " + value.type_name());
+    mistakes.add(place, "the script must return " + wanted + ", but returns " + value.type_name(), advice);
+  if (table && !table->constructor.empty()) value = {};
 }
 
 // Runs a file and converts what it returns.
 core::Value run_file(const std::shared_ptr<Machine>& machine, const std::filesystem::path& file,
-                     const core::Registry* registry, bool trust, core::Mistakes& mistakes) {
+                     const core::Registry* registry, const Options& options, core::Mistakes& mistakes) {
   core::Value value;
   const std::string name = file.string();
   machine->mistakes = &mistakes;
   auto work = [&](lua_State* L) {
-    make_sandbox(L, {registry, trust});
+    make_sandbox(L, {registry, options.trust});
     if (machine->params) add_global(L, "param", guarded<param>);
     if (!machine->compile(L, file, name, read_text(file))) return;
     machine->run_chunk(L);
     value = convert(machine, L, -1, {name, 0, {}}, mistakes);
     if (!machine->params) return;
-    check_is_scene(L, value, name, mistakes);
+    check_returned(L, value, {name, 0, {}}, options.returns, mistakes);
     check_all_used(*machine->params, mistakes);
   };
   try {
@@ -67,7 +74,7 @@ ScriptResult read_scene(const std::filesystem::path& file_or_folder, const core:
   machine->params = std::make_shared<Params>();
   for (const auto& [name, text] : options.set) machine->params->set[name] = text;
   ScriptResult result;
-  result.scene = run_file(machine, file, &registry, options.trust, mistakes);
+  result.scene = run_file(machine, file, &registry, options, mistakes);
   result.params = std::move(machine->params->uses);  // their functions must not keep their own owner alive
   for (const Source& source : machine->sources()) result.sources.emplace_back(source.path, source.text);
   return result;
@@ -76,7 +83,7 @@ ScriptResult read_scene(const std::filesystem::path& file_or_folder, const core:
 core::Value read_data(const std::filesystem::path& file) {
   const auto machine = std::make_shared<Machine>(data_seconds, data_memory);
   core::Mistakes mistakes;
-  core::Value value = run_file(machine, file, nullptr, false, mistakes);
+  core::Value value = run_file(machine, file, nullptr, {}, mistakes);
   if (mistakes.empty() && !value.table()) mistakes.add({file.string(), 0, {}}, "must return a table");
   mistakes.throw_if_any();
   return value;

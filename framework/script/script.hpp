@@ -17,9 +17,10 @@ namespace ashlar::script {
 struct Options {
   std::vector<std::pair<std::string, std::string>> set;  ///< `--set name=expression`; the last of a name wins
   std::vector<std::filesystem::path> library;            ///< searched by `require` after the scene's folder
-  bool trust = false;                                    ///< gives the script io and os
-  double seconds = 10;                                   ///< wall time of the script, and of each later call
-  std::size_t memory = std::size_t{1} << 30;             ///< bytes of the script's own memory
+  std::string returns = "Scene";              ///< the word of the table that the script must return
+  bool trust = false;                         ///< gives the script io and os
+  double seconds = 10;                        ///< wall time of the script, and of each later call
+  std::size_t memory = std::size_t{1} << 30;  ///< bytes of the script's own memory
 };
 
 /// One `param { "name", default = …, doc = … }` of the script.

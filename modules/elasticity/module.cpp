@@ -1,7 +1,10 @@
 #include "core/registry.hpp"
 #include "elasticity/bulk.hpp"
-#include "elasticity/elastic.hpp"
 #include "elasticity/fem.hpp"
+#include "elasticity/materials/drucker_prager/drucker_prager.hpp"
+#include "elasticity/materials/elastic/elastic.hpp"
+#include "elasticity/materials/mohr_coulomb/mohr_coulomb.hpp"
+#include "elasticity/materials/orthotropic/orthotropic.hpp"
 #include "elasticity/vem.hpp"
 #include "elasticity/vem_high.hpp"
 
@@ -50,7 +53,13 @@ ASHLAR_MODULE(registry) {
   add_stabilisation("diagonal",
                     [](const core::Settings&) { return std::make_shared<DiagonalStabilisation>(); });
 
-  registry.add_make("material", "elastic", std::function<model::MakeMaterial>(make_elastic));
+  const auto add_material = [&](const char* name, model::MakeMaterial make) {
+    registry.add_make("material", name, std::function<model::MakeMaterial>(make));
+  };
+  add_material("elastic", make_elastic);
+  add_material("orthotropic", make_orthotropic);
+  add_material("mohr_coulomb", make_mohr_coulomb);
+  add_material("drucker_prager", make_drucker_prager);
   registry.add_make("element", "vem",
                     std::function<model::MakeElement>(
                         [&registry](const core::Settings& settings, int order, core::Mistakes& mistakes) {

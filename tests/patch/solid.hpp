@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "elasticity/bulk.hpp"
-#include "elasticity/elastic.hpp"
+#include "elasticity/materials/elastic/elastic.hpp"
 #include "elasticity/recovery.hpp"
 #include "elasticity/vem.hpp"
 #include "solve/advance.hpp"

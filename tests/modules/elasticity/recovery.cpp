@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "elasticity/bulk.hpp"
-#include "elasticity/elastic.hpp"
+#include "elasticity/materials/elastic/elastic.hpp"
 #include "elasticity/vem.hpp"
 #include "geometry/polygon.hpp"
 #include "testing/meshes.hpp"

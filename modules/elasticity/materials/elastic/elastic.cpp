@@ -1,4 +1,4 @@
-#include "elasticity/elastic.hpp"
+#include "elasticity/materials/elastic/elastic.hpp"
 
 #include <cassert>
 
@@ -31,25 +31,10 @@ model::Response Elastic::respond(const model::Voigt& strain, std::span<const dou
   return response;
 }
 
-double Elastic::unit_weight(double gravity) const {
-  if (weight_.unit_weight) return *weight_.unit_weight;
-  if (weight_.density) return *weight_.density * gravity;
-  return -1;
-}
-
 std::shared_ptr<const model::Material> make_elastic(const core::Settings& settings, Plane plane,
                                                     core::Mistakes& mistakes) {
-  const double nu = settings.number("nu");
-  if (plane == Plane::strain && nu >= 0.5) {
-    mistakes.add(settings.place_of("nu"),
-                 "nu = 0.5 has no volume change: plane strain has no solution for it",
-                 "take nu = 0.4999 (the elements do not lock), or plane = \"stress\"");
-    return nullptr;
-  }
-  Weight weight;
-  if (settings.has("unit_weight")) weight.unit_weight = settings.number("unit_weight");
-  if (settings.has("density")) weight.density = settings.number("density");
-  return std::make_shared<Elastic>(settings.number("E"), nu, plane, weight);
+  if (!check_nu(settings, plane, mistakes)) return nullptr;
+  return std::make_shared<Elastic>(settings.number("E"), settings.number("nu"), plane, read_weight(settings));
 }
 
 }  // namespace ashlar::elasticity
