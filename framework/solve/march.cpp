@@ -201,6 +201,7 @@ class March {
     const auto timing = core::ledger().time("recover");
     const Prepared& ready = prepared_[s];
     for (const auto& term : ready.terms.stiffness) term->add_results(state_, result);
+    for (const auto& term : ready.terms.nonlinear) term->add_results(state_, result);
     for (const auto& term : ready.terms.local) term->add_results(state_, result);
     for (const auto& term : ready.terms.loads) term->add_results(state_, result);
     double largest = 0;
