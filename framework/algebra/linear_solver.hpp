@@ -31,8 +31,9 @@ class LinearSolver {
   /// node of unknown i, ascending in i: the graph of nodes is ordered, not that of unknowns.
   virtual void analyse(const SymmetricPattern& pattern, std::span<const Index> kept,
                        std::span<const Index> node) = 0;
-  /// Factors. If there are kept unknowns, the matrix may be singular in them (a body held by contact alone):
-  /// only the block of the other unknowns must be positive definite.
+  /// Factors; matrices that are not symmetric only if the solver is of kind "unsymmetric_solver". If there
+  /// are kept unknowns, the matrix may be singular in them (a body held by contact alone): only the block of
+  /// the other unknowns must be positive definite.
   virtual FactorReport factor(const SymmetricMatrix& matrix) = 0;
 
   /// x = A⁻¹ b. Only without kept unknowns.
@@ -49,7 +50,7 @@ class LinearSolver {
   virtual std::size_t bytes() const = 0;
 };
 
-/// A module registers a solver as kind "solver" with this signature.
+/// A module registers a solver as kind "solver", or "unsymmetric_solver", with this signature.
 using MakeSolver = std::unique_ptr<LinearSolver>(const core::Settings& settings);
 
 }  // namespace ashlar::algebra

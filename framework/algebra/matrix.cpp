@@ -28,7 +28,7 @@ double infinity_norm(const SymmetricMatrix& a) {
     for (Index p = a.pattern.column_start[j]; p < a.pattern.column_start[j + 1]; ++p) {
       const Index i = a.pattern.row[p];
       sum[i] += std::abs(a.value[p]);
-      if (i != j) sum[j] += std::abs(a.value[p]);
+      if (i != j) sum[j] += std::abs(a.upper.empty() ? a.value[p] : a.upper[p]);
     }
   return sum.empty() ? 0 : *std::max_element(sum.begin(), sum.end());
 }

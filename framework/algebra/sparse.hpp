@@ -23,6 +23,9 @@ struct SymmetricPattern {
 struct SymmetricMatrix {
   SymmetricPattern pattern;
   std::vector<double> value;  ///< as pattern.row
+  /// Of the transposed entries (column, row) where the matrix is not symmetric, though its pattern is; else
+  /// empty.
+  std::vector<double> upper = {};
 };
 
 /// y = A x.

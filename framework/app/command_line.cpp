@@ -9,7 +9,7 @@ namespace ashlar::app {
 
 namespace {
 
-const std::vector<std::string> verbs = {"run", "check", "plan", "study", "list", "describe"};
+const std::vector<std::string> verbs = {"run", "check", "plan", "study", "drive", "list", "describe"};
 const std::vector<std::string> options = {"--set",  "--out",      "--json",   "--threads",
                                           "--jobs", "--resume",   "--quiet",  "--trust",
                                           "--help", "--no-files", "--version"};
@@ -75,6 +75,11 @@ void check_words(const CommandLine& line) {
          "it always writes study.json; whether the runs write files says `files` in the study");
   if (line.verb != "study" && (line.jobs != 0 || line.resume != "all"))
     fail("--jobs and --resume are for `ashlar study`", "`ashlar --help` tells what each verb takes");
+  if (line.verb == "drive" && count != 1)
+    fail("`ashlar drive` takes one script, got " + std::to_string(count),
+         "one that returns Drive { … }: see `ashlar describe Drive`");
+  if (line.verb == "drive" && !line.json.empty())
+    fail("`ashlar drive` writes no JSON", "its numbers are in drive.csv");
   if (line.verb == "list" && count > 1) fail("`ashlar list` takes one kind or nothing");
   if (line.verb == "describe" && count != 1)
     fail("`ashlar describe` takes a kind, an entry or a word of the script",
@@ -128,13 +133,16 @@ std::string help_text() {
   ashlar check SCENE       report every mistake in a scene; nothing is computed
   ashlar plan SCENE        mesh a scene and say what would be simulated, what not, and at what size
   ashlar study STUDY       run a scene many times and tell what accuracy costs: table, JSON and a page with plots
+  ashlar drive FILE        lead a material law alone along a path of strains: table, CSV, picture
   ashlar list [KIND]       what can be said in a script, by kind
   ashlar describe WORD     keys, units, defaults, ranges of a kind, an entry or a word: mesh, mesh.voronoi, Polygon, units
 
-SCENE is a Lua file, or a folder with scene.lua in it; STUDY the same with study.lua.
+SCENE is a Lua file, or a folder with scene.lua in it; STUDY the same with study.lua;
+FILE is one that returns Drive { … }.
 
   --set key=value    give a parameter of the scene another value; may be repeated
-  --out DIR          where results go; default: the folder results beside the scene, results/study beside a study
+  --out DIR          where results go; default: the folder results beside the scene, results/study beside a study,
+                     NAME_drive beside a Drive
   --json FILE        also write the results for machines; - for the terminal
   --no-files         write nothing but what --json asks for
   --threads N        default: as many as the machine has; results do not depend on it

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/ledger.hpp"
+#include "model/drive.hpp"
 #include "model/scene_names.hpp"
 #include "model/support_check.hpp"
 #include "solve/build.hpp"
@@ -92,6 +93,7 @@ core::Registry make_registry() {
   core::Registry registry;
   model::register_scene_kinds(registry);
   study::register_study_kinds(registry);
+  model::register_drive_kinds(registry);
   script::read_module_manifests(module_folders(), registry);
   registry.set_opener(core::shared_object_opener());
   return registry;

@@ -19,6 +19,7 @@ int act(const app::CommandLine& line) {
   if (line.verb == "check") return app::check(line);
   if (line.verb == "plan") return app::plan(line);
   if (line.verb == "study") return app::study(line);
+  if (line.verb == "drive") return app::drive(line);
   if (line.verb == "list") return app::list(line);
   if (line.verb == "describe") return app::describe(line);
   return std::cout << app::help_text(), app::done;

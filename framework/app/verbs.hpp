@@ -11,6 +11,7 @@ int run(const CommandLine& line);
 int check(const CommandLine& line);
 int plan(const CommandLine& line);
 int study(const CommandLine& line);
+int drive(const CommandLine& line);
 int list(const CommandLine& line);
 int describe(const CommandLine& line);
 

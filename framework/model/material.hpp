@@ -1,7 +1,8 @@
 #pragma once
 // A material law is a pure function: (strain, committed internal variables) → (stress, tangent, trial
-// variables). Plane problems; vectors are Voigt (xx, yy, xy) with the engineering shear strain γ_xy. Tension
-// positive.
+// variables). Vectors are Voigt (xx, yy, xy, zz), z out of the plane, with the engineering shear strain γ_xy.
+// Tension positive. In plane strain ε_zz = 0 is given; in plane stress the law sees to σ_zz = 0 and ignores
+// ε_zz.
 
 #include <array>
 #include <memory>
@@ -13,12 +14,11 @@ namespace ashlar::model {
 
 enum class Plane { strain, stress };
 
-using Voigt = std::array<double, 3>;    ///< (xx, yy, xy)
-using Tangent = std::array<double, 9>;  ///< row by row, ∂σ_i/∂ε_j [Pa]
+using Voigt = std::array<double, 4>;     ///< (xx, yy, xy, zz)
+using Tangent = std::array<double, 16>;  ///< row by row, ∂σ_i/∂ε_j [Pa]
 
 struct Response {
-  Voigt stress{};        ///< [Pa]
-  double stress_zz = 0;  ///< out of plane [Pa]; 0 in plane stress
+  Voigt stress{};  ///< [Pa]
   Tangent tangent{};
 };
 
@@ -27,8 +27,11 @@ class Material {
   virtual ~Material() = default;
   /// True if the tangent never changes: a stage then needs no Newton iteration.
   virtual bool linear() const = 0;
-  /// Number of internal variables at each point.
+  /// False if the tangent is unsymmetric (non-associated flow): the solver must then be for general matrices.
+  virtual bool symmetric() const { return true; }
+  /// Number of internal variables at each point, all 0 at first.
   virtual int internal_variables() const { return 0; }
+  /// `committed` and `trial` hold internal_variables() entries. Pure, and safe on several threads at once.
   virtual Response respond(const Voigt& strain, std::span<const double> committed,
                            std::span<double> trial) const = 0;
   /// Weight per volume [N/m³] under gravity g [m/s²]; a law given by its unit weight ignores g. Negative: not

@@ -1,7 +1,8 @@
 #pragma once
 // A term is one contribution to the equilibrium of a stage:
-//   residual(u) = Σ stiffness terms K u + Σ local terms c(u, status) − Σ loads f = 0 in the free dofs;
-// in the held dofs the residual is the reaction. Elasticity, contact, gravity and water are equals.
+//   residual(u) = Σ stiffness terms K u + Σ nonlinear terms n(u) + Σ local terms c(u, status) − Σ loads f = 0
+// in the free dofs; in the held dofs the residual is the reaction. Elasticity, contact, gravity and water are
+// equals.
 
 #include <cstdint>
 #include <memory>
@@ -58,6 +59,27 @@ class Stiffness : public Term {
   virtual void add_internal_force(std::span<const double> u, std::span<double> force) const = 0;
 };
 
+/// A force all over the body that is no linear function of the displacement (yielding …). Every iteration
+/// assembles and factors its tangent anew. It is asked at the trial displacement and starts from the
+/// committed internal variables; those of the trial follow.
+class Nonlinear : public Term {
+ public:
+  using Term::Term;
+  /// Groups of dofs that couple: one row per cell.
+  virtual const algebra::Adjacency& groups() const = 0;
+  virtual bool symmetric() const = 0;
+  /// force += n(u), by dof.
+  virtual void add_internal_force(fields::State& state, std::span<double> force) const = 0;
+  /// lower[map] += packed lower triangles of all groups; upper[map] += those of the transposed, unless empty.
+  virtual void add_tangent(fields::State& state, const algebra::ScatterMap& map, std::span<double> lower,
+                           std::span<double> upper) const = 0;
+  /// force += ∂n/∂u · direction.
+  virtual void add_tangent_product(fields::State& state, std::span<const double> direction,
+                                   std::span<double> force) const = 0;
+  /// Numbers for the iteration table at the trial state: "yielding" …
+  virtual std::vector<std::pair<std::string, double>> facts(const fields::State&) const { return {}; }
+};
+
 /// A nonlinear term in a few dofs only: the bulk is factored once, and the iteration stays on those dofs. For
 /// a fixed status (open, closed …) its force is a smooth function of the displacement.
 class LocalTerm : public Term {
@@ -84,6 +106,7 @@ class LocalTerm : public Term {
 struct Terms {
   std::vector<std::shared_ptr<const Load>> loads;
   std::vector<std::shared_ptr<const Stiffness>> stiffness;
+  std::vector<std::shared_ptr<const Nonlinear>> nonlinear;
   std::vector<std::shared_ptr<const LocalTerm>> local;
 };
 

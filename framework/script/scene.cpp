@@ -20,22 +20,24 @@ void add_failure(const Failure& failure, core::Mistakes& mistakes) {
   if (!follows) mistakes.add(failure.place, failure.what, failure.advice);
 }
 
-void check_returned(lua_State* L, const core::Value& value, const std::string& name,
+// `words` are what the script may return; another kind's table is not read any further.
+void check_returned(lua_State* L, core::Value& value, const std::string& name,
                     const std::vector<std::string>& words, core::Mistakes& mistakes) {
   const core::Table* table = value.table();
   if (table && std::ranges::find(words, table->constructor) != words.end()) return;
   const core::Place place{name, table ? value.place.line : 0, {}};
   const std::string wanted = words.front() + " { … }";
-  const bool study = table && table->constructor == "Study", scene = table && table->constructor == "Scene";
+  std::string advice;
+  if (table && table->constructor == "Study") advice = "it is a study: `ashlar study " + name + "` runs it";
+  if (table && table->constructor == "Scene") advice = "it is a scene: `ashlar run " + name + "` runs it";
+  if (table && table->constructor == "Drive") advice = "it leads a law: `ashlar drive " + name + "` takes it";
   if (lua_isnil(L, -1))
     mistakes.add(
         place, "the script returns nothing",
         (wanted.starts_with("Scene") ? "a scenario" : "such a script") + (" ends with: return " + wanted));
   else if (!is_undefined(L, -1))
-    mistakes.add(place, "the script must return " + wanted + ", but returns " + value.type_name(),
-                 study   ? "it is a study: `ashlar study " + name + "` runs it"
-                 : scene ? "it is a scene: `ashlar run " + name + "` runs it"
-                         : "");
+    mistakes.add(place, "the script must return " + wanted + ", but returns " + value.type_name(), advice);
+  if (table && !table->constructor.empty()) value = {};
 }
 
 // Runs a file and converts what it returns.

@@ -15,6 +15,12 @@ constexpr double good_backward_error = 1e-14;
 // A solve that refinement cannot bring below this is refused.
 constexpr double worst_backward_error = 1e-9;
 constexpr int most_refinements = 4;
+// Newton converges quadratically near the solution: half a dozen steps, or the step is too large.
+constexpr int most_newton_steps = 15;
+// Forces in balance relative to the largest: three digits above the round-off of a badly conditioned tangent.
+constexpr double newton_tolerance = 1e-10;
+// A residual this much above the first will not come back.
+constexpr double diverged = 1e4;
 
 double largest(std::span<const double> values) {
   double most = 0;
@@ -22,11 +28,11 @@ double largest(std::span<const double> values) {
   return most;
 }
 
-/// Bulk part of the residual, K u − load, over all dofs.
-std::vector<double> bulk_residual(const Bulk& bulk, std::span<const double> load, std::span<const double> u) {
+/// Bulk part of the residual, K u + n(u) − load, over all dofs.
+std::vector<double> bulk_residual(const Bulk& bulk, std::span<const double> load, fields::State& state) {
   std::vector<double> residual(load.size());
   std::transform(load.begin(), load.end(), residual.begin(), [](double f) { return -f; });
-  bulk.add_internal_force(u, residual);
+  bulk.add_internal_force(state, residual);
   return residual;
 }
 
@@ -75,8 +81,8 @@ LocalResult correct(const Bulk& bulk, const LocalTerms& local, const model::Cons
 }  // namespace
 
 std::vector<double> out_of_balance(const Bulk& bulk, const LocalTerms& local, std::span<const double> load,
-                                   const fields::State& state) {
-  std::vector<double> residual = bulk_residual(bulk, load, state.trial(displacement));
+                                   fields::State& state) {
+  std::vector<double> residual = bulk_residual(bulk, load, state);
   if (!local.empty()) {
     Eigen::VectorXd force;
     Eigen::MatrixXd tangent;
@@ -86,17 +92,18 @@ std::vector<double> out_of_balance(const Bulk& bulk, const LocalTerms& local, st
   return residual;
 }
 
-StepReport advance(const Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
-                   const StepTarget& target, fields::State& state) {
+namespace {
+
+/// One solve, and refinements where its backward error asks for them.
+StepReport solve_linear(const Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
+                        const StepTarget& target, fields::State& state) {
   StepReport report;
   const std::span<double> u = state.trial(displacement);
   for (std::size_t dof = 0; dof < u.size(); ++dof)
     if (constraints.held[dof]) u[dof] = target.prescribed[dof];
   if (!local.empty()) local.update_status(state, touched_values(local, u));
-
-  const auto timing = core::ledger().time("solve");
   for (int round = 0; round <= most_refinements; ++round) {
-    const std::vector<double> residual = bulk_residual(bulk, target.load, u);
+    const std::vector<double> residual = bulk_residual(bulk, target.load, state);
     std::vector<model::Iteration> rows;
     const LocalResult result = correct(bulk, local, constraints, residual, state, rows);
     if (round == 0 || !result.converged || rows.size() > 1)
@@ -132,6 +139,80 @@ StepReport advance(const Bulk& bulk, const LocalTerms& local, const model::Const
         "cells that are less thin";
   }
   return report;
+}
+
+/// The residual that a Newton step starts from. In the first, held dofs move to their places along the
+/// tangent, so that no cell sees the whole of it at once.
+std::vector<double> newton_residual(const Bulk& bulk, const StepTarget& target,
+                                    const model::Constraints& constraints, fields::State& state) {
+  std::vector<double> residual = bulk_residual(bulk, target.load, state);
+  const std::span<double> u = state.trial(displacement);
+  std::vector<double> move(u.size());
+  bool moves = false;
+  for (std::size_t dof = 0; dof < u.size(); ++dof) {
+    if (!constraints.held[dof] || u[dof] == target.prescribed[dof]) continue;
+    move[dof] = target.prescribed[dof] - u[dof];
+    moves = true;
+  }
+  if (!moves) return residual;
+  bulk.add_tangent_product(state, move, residual);
+  for (std::size_t dof = 0; dof < u.size(); ++dof) u[dof] += move[dof];
+  return residual;
+}
+
+/// Measures what is out of balance after a Newton step and adds a row to the iteration table.
+void measure(const Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
+             const StepTarget& target, fields::State& state, StepReport& report, int number) {
+  const std::vector<double> left = out_of_balance(bulk, local, target.load, state);
+  const double free_most = largest(free_part(constraints, left));
+  const double most = std::max({largest(target.load), largest(left), 1e-300});
+  report.residual = free_most / most;
+  report.backward_error =
+      free_most / std::max(bulk.norm() * largest(state.trial(displacement)) + largest(target.load), 1e-300);
+  report.iterations.push_back({1, number, report.residual, bulk.facts(state)});
+}
+
+/// Newton with the tangent of the laws; local terms settle inside each step.
+StepReport solve_newton(Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
+                        const StepTarget& target, fields::State& state) {
+  StepReport report;
+  double first = 0;
+  if (!local.empty()) local.update_status(state, touched_values(local, state.trial(displacement)));
+  for (int number = 1; number <= most_newton_steps; ++number) {
+    bulk.linearise(state);
+    if (!bulk.report().done) {
+      report.reason = "the tangent cannot be factored: " + bulk.report().reason;
+      return report;
+    }
+    const std::vector<double> residual = newton_residual(bulk, target, constraints, state);
+    std::vector<model::Iteration> rows;
+    const LocalResult result = correct(bulk, local, constraints, residual, state, rows);
+    if (!result.converged) {
+      report.reason = result.reason;
+      report.singular = result.singular;
+      return report;
+    }
+    measure(bulk, local, constraints, target, state, report, number);
+    report.converged = report.residual <= newton_tolerance;
+    if (report.converged) return report;
+    if (number == 1) first = report.residual;
+    if (!std::isfinite(report.residual) || report.residual > diverged * first) break;
+  }
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "Newton's iteration does not settle: %.1e of the forces stay out of balance",
+                report.residual);
+  report.reason = text;
+  return report;
+}
+
+}  // namespace
+
+StepReport advance(Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
+                   const StepTarget& target, fields::State& state) {
+  const auto timing = core::ledger().time("solve");
+  if (bulk.linear()) return solve_linear(bulk, local, constraints, target, state);
+  return solve_newton(bulk, local, constraints, target, state);
 }
 
 }  // namespace ashlar::solve

@@ -25,12 +25,13 @@ struct StepReport {
 constexpr fields::State::Id displacement = 0;
 
 /// Brings the trial state to equilibrium. Linear stages take one solve (and one of refinement if its backward
-/// error asks for it).
-StepReport advance(const Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
+/// error asks for it); nonlinear terms are iterated with Newton's method.
+StepReport advance(Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
                    const StepTarget& target, fields::State& state);
 
-/// force = K u + c(u) − load over all dofs at the trial state: zero in free dofs, reactions in held ones.
+/// force = K u + n(u) + c(u) − load over all dofs at the trial state: zero in free dofs, reactions in held
+/// ones.
 std::vector<double> out_of_balance(const Bulk& bulk, const LocalTerms& local, std::span<const double> load,
-                                   const fields::State& state);
+                                   fields::State& state);
 
 }  // namespace ashlar::solve

@@ -6,6 +6,7 @@
 
 #include "core/ledger.hpp"
 #include "core/log.hpp"
+#include "geometry/polygon.hpp"
 #include "mesh/generator.hpp"
 
 namespace ashlar::solve {
@@ -80,6 +81,23 @@ void name_file_regions(const model::Scene& scene, mesh::RawMesh& raw, core::Mist
   for (const auto& region : scene.regions) raw.regions.push_back(region.name);
 }
 
+/// The first cell that the element cannot take.
+void check_cells(const model::Model& model, const model::Scene& scene, core::Mistakes& mistakes) {
+  std::vector<geometry::Point> corners;
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
+    model.mesh.corners(cell, corners);
+    const std::string why = model.element->refuses({corners, model.thickness});
+    if (why.empty()) continue;
+    const geometry::Point at = geometry::centroid(corners);
+    mistakes.add(scene.element.place,
+                 why + "; the cell at (" + core::format_quantity(at.x, {1, 0, 0}) + ", " +
+                     core::format_quantity(at.y, {1, 0, 0}) + ") has " + std::to_string(corners.size()) +
+                     " corners",
+                 "element = \"vem\" takes any polygon");
+    return;
+  }
+}
+
 }  // namespace
 
 mesh::Domain build_domain(const model::Scene& scene, core::Mistakes& mistakes) {
@@ -116,10 +134,6 @@ std::vector<std::shared_ptr<const model::Material>> build_materials(const model:
     }
     const auto make = registry.make<model::MakeMaterial>("material", region.material.name);
     materials.push_back(make(region.material, scene.plane, mistakes));
-    const model::Material* made = materials.back().get();
-    if (made && (!made->linear() || made->internal_variables() > 0))
-      mistakes.add(region.material.place, "the law '" + region.material.name + "' is nonlinear",
-                   "this version solves linear laws only");
   }
   return materials;
 }
@@ -142,6 +156,7 @@ model::Model build_model(const model::Scene& scene, core::Registry& registry, co
     if (!mistakes.empty()) return built;
     built.mesh = mesh::build_mesh(std::move(raw), domain);
   }
+  check_cells(built, scene, mistakes);
   const model::NodeCounts nodes = built.element->nodes();
   built.dofs =
       fields::DofMap(built.mesh, {"displacement", "m", 2, nodes.per_point, nodes.per_edge, nodes.per_cell});

@@ -117,7 +117,7 @@ model::Constraints build_constraints(const model::Model& model, const model::Sta
       for (const Index edge : held.edges)
         for (int k = 0; k < model.dofs.field().per_edge; ++k) {
           const auto [from, to] = model.mesh.edge_points[edge];
-          const double t = (k + 1.0) / (model.dofs.field().per_edge + 1);
+          const double t = model.element->edge_node(k);
           const Point at = (1 - t) * model.mesh.points[from] + t * model.mesh.points[to];
           hold.at(model.dofs.of_edge(edge, k) + c, moved_to(*support.move[c], at), stage, s, at);
         }

@@ -112,7 +112,14 @@ double solve_fixed_status(const LocalTerms& terms, const Eigen::MatrixXd& schur,
     // Round-off of stiff penalties may stop short of the tolerance: then it no longer falls.
     if (relative < force_tolerance || (step > 1 && relative > 0.5 * before)) return relative;
     before = relative;
-    const Eigen::LLT<Eigen::MatrixXd> factor(schur + Eigen::MatrixXd(tangent(free, free)));
+    const Eigen::MatrixXd matrix = schur + Eigen::MatrixXd(tangent(free, free));
+    if (!schur.isApprox(schur.transpose(), 1e-13)) {
+      const Eigen::PartialPivLU<Eigen::MatrixXd> factor(matrix);
+      if (!(factor.rcond() >= 1e-16)) return -1;
+      u(free) -= factor.solve(residual);
+      continue;
+    }
+    const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
     if (factor.info() != Eigen::Success || factor.rcond() < 1e-16) return -1;
     u(free) -= factor.solve(residual);
   }

@@ -89,18 +89,25 @@ class March {
     return ended_[parent];
   }
 
-  const Bulk& bulk_for(const Prepared& ready, const LocalTerms& local, model::StageResult& result) {
-    result.factored = !bulk_ || !bulk_->serves(ready.terms.stiffness, ready.constraints, local.touched());
+  Bulk& bulk_for(const Prepared& ready, const LocalTerms& local, model::StageResult& result) {
+    const BulkTerms terms{ready.terms.stiffness, ready.terms.nonlinear};
+    result.factored = !bulk_ || !bulk_->serves(terms, ready.constraints, local.touched());
     if (result.factored) {
       bulk_.reset();  // frees the old factor first
-      const auto make = in_.registry.make<algebra::MakeSolver>("solver", in_.scene.solver.name);
-      bulk_.emplace(in_.model, ready.terms.stiffness, ready.constraints, local.touched(),
-                    make(in_.scene.solver));
+      bulk_.emplace(in_.model, terms, ready.constraints, local.touched(), make_solver(terms.symmetric()));
     }
     result.unknowns = ready.constraints.unknowns();
     result.kept = static_cast<Index>(bulk_->kept().size());
     result.solver = bulk_->report().ordering;
     return *bulk_;
+  }
+
+  /// The scene's solver; where a tangent is not symmetric, one that takes such.
+  std::unique_ptr<algebra::LinearSolver> make_solver(bool symmetric) const {
+    const core::Settings& settings = in_.scene.solver;
+    if (symmetric) return in_.registry.make<algebra::MakeSolver>("solver", settings.name)(settings);
+    const std::string name = in_.registry.names("unsymmetric_solver").front();
+    return in_.registry.make<algebra::MakeSolver>("unsymmetric_solver", name)({});
   }
 
   model::StageResult run_stage(std::size_t s) {
@@ -109,7 +116,7 @@ class March {
     result.name = in_.scene.stages[s].name;
     for (const model::Call& call : in_.plan.stages[s].calls) result.effects.push_back(call.effect);
     const LocalTerms local(ready.terms.local, ready.constraints);
-    const Bulk& bulk = bulk_for(ready, local, result);
+    Bulk& bulk = bulk_for(ready, local, result);
     if (!bulk.report().done) {
       result.converged = false;
       result.reason = bulk.report().reason;
@@ -125,7 +132,7 @@ class March {
   }
 
   /// Load steps from the start to the stage's end: one if it converges, else halved and grown again.
-  bool step_through(const Bulk& bulk, const LocalTerms& local, const Prepared& ready, const Ended& start,
+  bool step_through(Bulk& bulk, const LocalTerms& local, const Prepared& ready, const Ended& start,
                     model::StageResult& result) {
     const auto from = start.state.committed(displacement);
     if (!agrees(ready.constraints, from, result)) return false;
@@ -155,7 +162,7 @@ class March {
       }
       state_.revert();
       size /= 2;
-      if (local.empty() || report.singular || size < std::ldexp(1.0, -most_cuts)) {
+      if ((bulk.linear() && local.empty()) || report.singular || size < std::ldexp(1.0, -most_cuts)) {
         result.converged = false;
         result.reason = report.reason;
         result.advice = report.advice;
@@ -194,6 +201,7 @@ class March {
     const auto timing = core::ledger().time("recover");
     const Prepared& ready = prepared_[s];
     for (const auto& term : ready.terms.stiffness) term->add_results(state_, result);
+    for (const auto& term : ready.terms.nonlinear) term->add_results(state_, result);
     for (const auto& term : ready.terms.local) term->add_results(state_, result);
     for (const auto& term : ready.terms.loads) term->add_results(state_, result);
     double largest = 0;

@@ -14,13 +14,34 @@ using model::FieldResult;
 
 namespace {
 
-/// The resultant of a nodal force at a dof; only dofs of points have a place and thus a moment.
-model::Resultant nodal_force(const model::Model& model, Index dof, double force, Point about) {
-  const int width = model.dofs.field().width;
-  const Index point = dof / width;
-  const Point arm = point < model.mesh.point_count() ? model.mesh.points[point] - about : Point{};
-  if (dof % width == 0) return {force, 0, -arm.y * force};
-  return {0, force, arm.x * force};
+/// By node: what rigid motions give it. The virtual work of nodal forces on them is their resultant.
+std::vector<model::RigidValue> rigid_values(const model::Model& model) {
+  const mesh::Mesh& mesh = model.mesh;
+  std::vector<model::RigidValue> values;
+  values.reserve(static_cast<std::size_t>(model.dofs.size() / 2));
+  for (const Point at : mesh.points) values.push_back({1, at});
+  for (const auto& [from, to] : mesh.edge_points)
+    for (int k = 0; k < model.dofs.field().per_edge; ++k) {
+      const double t = model.element->edge_node(k);
+      values.push_back({1, (1 - t) * mesh.points[from] + t * mesh.points[to]});
+    }
+  std::vector<Point> corners;
+  std::vector<model::RigidValue> own(static_cast<std::size_t>(model.dofs.field().per_cell));
+  for (Index cell = 0; cell < mesh.cell_count() && !own.empty(); ++cell) {
+    mesh.corners(cell, corners);
+    model.element->rigid_values({corners, model.thickness}, own);
+    values.insert(values.end(), own.begin(), own.end());
+  }
+  return values;
+}
+
+/// The resultant of a nodal force at a dof.
+model::Resultant nodal_force(const std::vector<model::RigidValue>& rigid, Index dof, double force,
+                             Point about) {
+  const model::RigidValue& node = rigid[static_cast<std::size_t>(dof / 2)];
+  const Point arm = node.place - node.translation * about;
+  if (dof % 2 == 0) return {node.translation * force, 0, -arm.y * force};
+  return {0, node.translation * force, arm.x * force};
 }
 
 void add(model::Resultant& sum, const model::Resultant& part) {
@@ -70,6 +91,7 @@ bool asked_for(const model::ProbeData& probe, const std::string& field) {
 model::Balance balance(const model::Model& model, const model::StageData& stage, const StageForces& forces) {
   model::Balance sums;
   double absolute = 0;
+  const std::vector<model::RigidValue> rigid = rigid_values(model);
   // The error is summed about a point of the body: moments about a far origin would drown it in round-off.
   const Point inside = model.mesh.points.front();
   model::Resultant left;
@@ -79,8 +101,8 @@ model::Balance balance(const model::Model& model, const model::StageData& stage,
     model::Resultant resultant;
     for (Index dof = 0; dof < model.dofs.size(); ++dof) {
       if (force[dof] == 0) continue;
-      add(resultant, nodal_force(model, dof, force[dof], {}));
-      add(left, nodal_force(model, dof, force[dof], inside));
+      add(resultant, nodal_force(rigid, dof, force[dof], {}));
+      add(left, nodal_force(rigid, dof, force[dof], inside));
       absolute += std::abs(force[dof]);
     }
     add(sums.load, resultant);
@@ -91,8 +113,8 @@ model::Balance balance(const model::Model& model, const model::StageData& stage,
   for (Index dof = 0; dof < model.dofs.size(); ++dof) {
     if (!forces.constraints.held[dof]) continue;
     const double reaction = forces.out_of_balance[dof];
-    add(reactions[forces.constraints.support[dof]], nodal_force(model, dof, reaction, {}));
-    add(left, nodal_force(model, dof, reaction, inside));
+    add(reactions[forces.constraints.support[dof]], nodal_force(rigid, dof, reaction, {}));
+    add(left, nodal_force(rigid, dof, reaction, inside));
     reaction_absolute += std::abs(forces.out_of_balance[dof]);
   }
   for (std::size_t s = 0; s < reactions.size(); ++s) {

@@ -42,7 +42,7 @@ FieldResult displacement_field(const Model& model, std::span<const double> u) {
 
 FieldResult strain_field(std::span<const model::Voigt> strain) {
   FieldResult field{"strain", "", On::cells, 3, {"xx", "yy", "gamma_xy"}, {}};
-  for (const model::Voigt& e : strain) field.values.insert(field.values.end(), e.begin(), e.end());
+  for (const model::Voigt& e : strain) field.values.insert(field.values.end(), e.begin(), e.begin() + 3);
   return field;
 }
 
@@ -74,14 +74,7 @@ void add_stress_fields(const std::set<std::string>& wanted, const std::string& s
 }  // namespace
 
 Bulk::Bulk(const Model& model, std::set<std::string> fields)
-    : Stiffness("elasticity"), model_(model), fields_(std::move(fields)) {
-  std::vector<Index> dofs;
-  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
-    dofs.clear();
-    model.dofs.append_cell(model.mesh, cell, dofs);
-    dofs_.append(dofs);
-  }
-}
+    : Stiffness("elasticity"), model_(model), fields_(std::move(fields)), layout_(model) {}
 
 void Bulk::add_tangent(const algebra::ScatterMap& map, std::span<double> value) const {
   algebra::assemble(map, value, [this](Index index, std::span<double> packed) {
@@ -92,8 +85,8 @@ void Bulk::add_tangent(const algebra::ScatterMap& map, std::span<double> value) 
 }
 
 void Bulk::add_internal_force(std::span<const double> u, std::span<double> force) const {
-  algebra::assemble(dofs_, force, [&](Index index, std::span<double> local_force) {
-    const Scratch<double, 64> local = gather(dofs_[index], u);
+  algebra::assemble(layout_.dofs, force, [&](Index index, std::span<double> local_force) {
+    const Scratch<double, 64> local = gather(layout_.dofs[index], u);
     std::fill(local_force.begin(), local_force.end(), 0.0);
     with_cell(model_, index, [&](const model::Cell& cell) {
       model_.element->add_internal_force(cell, model_.material(index), local, local_force);
@@ -102,29 +95,44 @@ void Bulk::add_internal_force(std::span<const double> u, std::span<double> force
 }
 
 std::size_t Bulk::bytes() const {
-  return sizeof(Index) * (dofs_.offsets().size() + dofs_.values().size());
+  return layout_.bytes();
 }
 
 void Bulk::add_results(const fields::State& state, model::StageResult& result) const {
   const fields::State::Id id = state.find("displacement");
   assert(id >= 0);
-  const std::span<const double> u = state.committed(id);
-  const auto asked = [&](auto&& belongs) { return std::any_of(fields_.begin(), fields_.end(), belongs); };
+  add_solid_results(model_, layout_, fields_, state.committed(id), {}, result);
+}
+
+void add_solid_results(const Model& model, const Layout& layout, const std::set<std::string>& fields,
+                       std::span<const double> u, std::span<const double> history,
+                       model::StageResult& result) {
+  const auto asked = [&](auto&& belongs) { return std::any_of(fields.begin(), fields.end(), belongs); };
   const bool at_points = asked([](const std::string& name) { return name.ends_with("_nodes"); });
   const bool in_cells =
       asked([](const std::string& name) { return name != "displacement" && !name.ends_with("_nodes"); });
-  if (fields_.contains("displacement")) result.fields.push_back(displacement_field(model_, u));
+  if (fields.contains("displacement")) result.fields.push_back(displacement_field(model, u));
   if (!at_points && !in_cells) return;
-  const CellStresses cells = cell_stresses(model_, dofs_, u);
-  if (fields_.contains("strain")) result.fields.push_back(strain_field(cells.strain));
-  add_stress_fields(fields_, "", On::cells, cells.stress, result.fields);
+  const CellStresses cells = cell_stresses(model, layout, u, history);
+  if (fields.contains("strain")) result.fields.push_back(strain_field(cells.strain));
+  add_stress_fields(fields, "", On::cells, cells.stress, result.fields);
   if (at_points)
-    add_stress_fields(fields_, "_nodes", On::points, recover_at_points(model_, cells), result.fields);
+    add_stress_fields(fields, "_nodes", On::points, recover_at_points(model, cells), result.fields);
 }
 
 void Elasticity::contribute(const model::StageContext& context, model::Terms& terms) {
-  if (!bulk_) bulk_ = std::make_shared<Bulk>(context.model, wanted_fields(context.scene));
-  terms.stiffness.push_back(bulk_);
+  if (!bulk_ && !yielding_) {
+    Layout layout(context.model);
+    if (layout.linear)
+      bulk_ = std::make_shared<Bulk>(context.model, wanted_fields(context.scene));
+    else
+      yielding_ = std::make_shared<Yielding>(context.model, std::move(layout), wanted_fields(context.scene),
+                                             context.state);
+  }
+  if (bulk_)
+    terms.stiffness.push_back(bulk_);
+  else
+    terms.nonlinear.push_back(yielding_);
 }
 
 }  // namespace ashlar::elasticity

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "model/effect.hpp"
+#include "elasticity/yielding.hpp"
 
 namespace ashlar::elasticity {
 
@@ -18,7 +18,7 @@ class Bulk final : public model::Stiffness {
   /// `fields`: those of `all_fields` that are wanted as results.
   Bulk(const model::Model& model, std::set<std::string> fields);
 
-  const algebra::Adjacency& groups() const override { return dofs_; }
+  const algebra::Adjacency& groups() const override { return layout_.dofs; }
   void add_tangent(const algebra::ScatterMap& map, std::span<double> value) const override;
   void add_internal_force(std::span<const double> u, std::span<double> force) const override;
   std::size_t bytes() const override;
@@ -27,15 +27,21 @@ class Bulk final : public model::Stiffness {
  private:
   const model::Model& model_;
   std::set<std::string> fields_;
-  algebra::Adjacency dofs_;  ///< of each cell, in the element's order
+  Layout layout_;
 };
+
+/// Adds the wanted fields of displacement, strain and stress. `history`: internal variables of all points.
+void add_solid_results(const model::Model& model, const Layout& layout, const std::set<std::string>& fields,
+                       std::span<const double> u, std::span<const double> history,
+                       model::StageResult& result);
 
 class Elasticity final : public model::Effect {
  public:
   void contribute(const model::StageContext& context, model::Terms& terms) override;
 
  private:
-  std::shared_ptr<const Bulk> bulk_;
+  std::shared_ptr<const Bulk> bulk_;  ///< if every law is linear
+  std::shared_ptr<const Yielding> yielding_;
 };
 
 }  // namespace ashlar::elasticity

@@ -1,20 +1,42 @@
 #include "core/registry.hpp"
 #include "elasticity/bulk.hpp"
-#include "elasticity/elastic.hpp"
+#include "elasticity/fem.hpp"
+#include "elasticity/materials/drucker_prager/drucker_prager.hpp"
+#include "elasticity/materials/elastic/elastic.hpp"
+#include "elasticity/materials/mohr_coulomb/mohr_coulomb.hpp"
+#include "elasticity/materials/orthotropic/orthotropic.hpp"
 #include "elasticity/vem.hpp"
+#include "elasticity/vem_high.hpp"
 
 namespace ashlar::elasticity {
 
 namespace {
 
+bool has_order(const core::Settings& settings, int order, int highest, core::Mistakes& mistakes) {
+  if (order >= 1 && order <= highest) return true;
+  mistakes.add(settings.place, "element \"" + settings.name + "\" has no order " + std::to_string(order),
+               "valid: order = 1 to " + std::to_string(highest));
+  return false;
+}
+
 std::shared_ptr<const model::Element> make_vem(core::Registry& registry, const core::Settings& settings,
                                                int order, core::Mistakes& mistakes) {
-  if (order != 1) {
-    mistakes.add(settings.place, "element \"vem\" has no order " + std::to_string(order), "valid: order = 1");
+  if (!has_order(settings, order, 3, mistakes)) return nullptr;
+  const core::Settings& choice = settings.object("stabilisation");
+  const auto stabilisation = registry.make<MakeStabilisation>("stabilisation", choice.name)(choice);
+  if (order == 1) return std::make_shared<VemElement>(stabilisation);
+  return std::make_shared<VemHigh>(order, stabilisation);
+}
+
+std::shared_ptr<const model::Element> make_fem(const core::Settings& settings, int order,
+                                               core::Mistakes& mistakes) {
+  if (!has_order(settings, order, 2, mistakes)) return nullptr;
+  const bool incompatible = settings.flag("incompatible");
+  if (incompatible && order > 1) {
+    mistakes.add(settings.place_of("incompatible"), "incompatible modes are for order = 1");
     return nullptr;
   }
-  const core::Settings& choice = settings.object("stabilisation");
-  return std::make_shared<VemElement>(registry.make<MakeStabilisation>("stabilisation", choice.name)(choice));
+  return std::make_shared<FiniteElement>(order, incompatible);
 }
 
 }  // namespace
@@ -31,12 +53,19 @@ ASHLAR_MODULE(registry) {
   add_stabilisation("diagonal",
                     [](const core::Settings&) { return std::make_shared<DiagonalStabilisation>(); });
 
-  registry.add_make("material", "elastic", std::function<model::MakeMaterial>(make_elastic));
+  const auto add_material = [&](const char* name, model::MakeMaterial make) {
+    registry.add_make("material", name, std::function<model::MakeMaterial>(make));
+  };
+  add_material("elastic", make_elastic);
+  add_material("orthotropic", make_orthotropic);
+  add_material("mohr_coulomb", make_mohr_coulomb);
+  add_material("drucker_prager", make_drucker_prager);
   registry.add_make("element", "vem",
                     std::function<model::MakeElement>(
                         [&registry](const core::Settings& settings, int order, core::Mistakes& mistakes) {
                           return make_vem(registry, settings, order, mistakes);
                         }));
+  registry.add_make("element", "fem", std::function<model::MakeElement>(make_fem));
   registry.add_make("effect", "elasticity", std::function<model::MakeEffect>([](core::Registry&) {
                       return std::make_unique<Elasticity>();
                     }));

@@ -1,13 +1,55 @@
--- Linear elasticity of plane solids.
+-- Plane solids: elements, stresses, and the laws of their materials.
+local weights = {
+  { key = "unit_weight", forms = { "number" }, dimension = "N/m^3", range = { from = 0 },
+    usual = { from = 1e3, to = 1e5 }, doc = "Weight per volume; stages with gravity need this or density." },
+  { key = "density", forms = { "number" }, dimension = "kg/m^3", range = { from = 0 },
+    usual = { from = 100, to = 1e4 }, doc = "Mass per volume; its weight is density times the stage's gravity." },
+}
+local one_weight = { { "unit_weight", "density", least = 0 } }
+
+local function modulus(key, doc, required)
+  return { key = key, forms = { "number" }, dimension = "Pa", required = required, range = { above = 0 },
+           usual = { from = 1e6, to = 1e12 }, doc = doc }
+end
+local function ratio(key, doc, required)
+  return { key = key, forms = { "number" }, required = required, doc = doc }
+end
+local nu = { key = "nu", forms = { "number" }, required = true, range = { above = -1, to = 0.5 },
+             usual = { from = 0, to = 0.4999 }, doc = "Poisson's ratio; below 0.5 in plane strain." }
+local function with_weights(parameters)
+  for _, each in ipairs(weights) do parameters[#parameters + 1] = each end
+  return parameters
+end
+-- Laws that yield: elastic moduli, cohesion, friction, dilation, then what is the law's own.
+local function frictional(own)
+  return with_weights {
+    modulus("E", "Young's modulus.", true), nu,
+    { key = "cohesion", forms = { "number" }, dimension = "Pa", required = true, range = { from = 0 },
+      usual = { from = 1, to = 1e9 }, doc = "Shear strength without normal stress." },
+    { key = "friction", forms = { "number" }, required = true, range = { from = 0 },
+      doc = "Angle of friction, 0 to below 90 degrees: 30*units.deg." },
+    { key = "dilation", forms = { "number" }, required = true, range = { from = 0 },
+      doc = "Angle of dilation, 0 to friction: 0 shears at constant volume; friction is the associated flow of " ..
+            "limit analysis and the only choice with a symmetric tangent." },
+    own,
+  }
+end
+
 return {
   name = "elasticity",
   doc = "The elastic solid: virtual elements on any polygon, Hooke's law, stresses in cells and at points.",
   provides = {
     { kind = "element", name = "vem", constructor = "element.vem",
-      doc = "Virtual element of order 1: any simple polygon, non-convex or with hanging nodes.",
+      doc = "Virtual element of order 1 to 3: any simple polygon, non-convex or with hanging nodes.",
       parameters = {
         { key = "stabilisation", forms = { "object" }, kind = "stabilisation", default = "bending", numerical = true,
           doc = "How deformation that the linear projection does not see is stiffened." },
+      } },
+    { kind = "element", name = "fem", constructor = "element.fem",
+      doc = "Finite elements for comparison: triangles of 3 or 6 nodes, quadrilaterals of 4 or 8; order 1 or 2.",
+      parameters = {
+        { key = "incompatible", forms = { "boolean" }, default = false,
+          doc = "Bending modes inside quadrilaterals of order 1." },
       } },
     { kind = "stabilisation", name = "bending", constructor = "stabilisation.bending",
       doc = "As stiff as the cell against bending: parallelograms of any aspect bend exactly.",
@@ -32,18 +74,37 @@ return {
     { kind = "field", name = "von_mises_nodes", doc = "Von Mises' equivalent stress at the mesh points [Pa]." },
     { kind = "material", name = "elastic", constructor = "material.elastic",
       doc = "Isotropic Hooke's law, plane strain or plane stress.",
-      parameters = {
-        { key = "E", forms = { "number" }, dimension = "Pa", required = true, range = { above = 0 },
-          usual = { from = 1e6, to = 1e12 }, doc = "Young's modulus." },
-        { key = "nu", forms = { "number" }, required = true, range = { above = -1, to = 0.5 },
-          usual = { from = 0, to = 0.4999 },
-          doc = "Poisson's ratio; below 0.5 in plane strain." },
-        { key = "unit_weight", forms = { "number" }, dimension = "N/m^3", range = { from = 0 },
-          usual = { from = 1e3, to = 1e5 }, doc = "Weight per volume; stages with gravity need this or density." },
-        { key = "density", forms = { "number" }, dimension = "kg/m^3", range = { from = 0 },
-          usual = { from = 100, to = 1e4 }, doc = "Mass per volume; its weight is density times the stage's gravity." },
+      parameters = with_weights { modulus("E", "Young's modulus.", true), nu },
+      alternatives = one_weight },
+    { kind = "material", name = "orthotropic", constructor = "material.orthotropic",
+      doc = "Hooke's law of bedded rock: axis 1 in the bedding, 2 across it, 3 out of the plane.",
+      parameters = with_weights {
+        modulus("E1", "Young's modulus along the bedding.", true),
+        modulus("E2", "Young's modulus across the bedding.", true),
+        modulus("G12", "Shear modulus along the bedding.", true),
+        ratio("nu12", "Shortening in 2 per lengthening in 1, under stress in 1: nu12/E1 = nu21/E2.", true),
+        modulus("E3", "Young's modulus out of the plane. Left out: E1, as in the bedding."),
+        ratio("nu13", "Shortening in 3 per lengthening in 1, under stress in 1. Left out: nu12."),
+        ratio("nu23", "Shortening in 3 per lengthening in 2, under stress in 2. Left out: nu12 E2/E3, as all " ..
+              "directions in the bedding are alike."),
+        { key = "bedding", forms = { "number" }, required = true,
+          doc = "Angle from x to the bedding, counter-clockwise, -180 to 180 degrees: 30*units.deg." },
       },
-      alternatives = { { "unit_weight", "density", least = 0 } } },
+      alternatives = one_weight },
+    { kind = "material", name = "mohr_coulomb", constructor = "material.mohr_coulomb",
+      doc = "Elastic up to Mohr-Coulomb's strength and a tension cut-off, then perfectly plastic. Plane strain.",
+      parameters = frictional {
+        key = "tensile_strength", forms = { "number" }, dimension = "Pa", range = { from = 0 },
+        doc = "Greatest principal stress, at most cohesion/tan(friction). Left out: just that, or no limit if " ..
+              "friction is 0." },
+      alternatives = one_weight },
+    { kind = "material", name = "drucker_prager", constructor = "material.drucker_prager",
+      doc = "Elastic up to Drucker-Prager's cone, then perfectly plastic. Plane strain.",
+      parameters = frictional {
+        key = "match", forms = { "text" }, choices = { "outer", "inner", "plane_strain" }, default = "plane_strain",
+        doc = "Where the cone meets Mohr-Coulomb: in triaxial compression (outer), triaxial extension (inner), " ..
+              "or the limit loads of plane strain." },
+      alternatives = one_weight },
   },
   effects = {
     { name = "elasticity", called_by = { "scene.geometry" }, nonlinear = false,

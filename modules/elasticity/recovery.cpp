@@ -4,30 +4,59 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Dense>
+
 #include "core/parallel.hpp"
 #include "elasticity/cell_access.hpp"
-#include "geometry/polygon.hpp"
 
 namespace ashlar::elasticity {
 
 using model::Model;
 
-CellStresses cell_stresses(const Model& model, const mesh::Adjacency& dofs, std::span<const double> u) {
-  const auto count = static_cast<std::size_t>(model.mesh.cell_count());
-  CellStresses found{std::vector<model::Voigt>(count), std::vector<Stress>(count), std::vector<double>(count),
-                     std::vector<Point>(count)};
-  core::parallel_for(count, 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      const auto index = static_cast<Index>(c);
-      const Scratch<double, 64> local = gather(dofs[index], u);
-      with_cell(model, index, [&](const model::Cell& cell) {
-        found.area[c] = geometry::signed_area(cell.corners);
-        found.centroid[c] = geometry::centroid(cell.corners);
-        found.strain[c] = model.element->strain(cell, local, found.centroid[c]);
-      });
-      const model::Response response = model.material(index).respond(found.strain[c], {}, {});
-      found.stress[c] = {response.stress[0], response.stress[1], response.stress[2], response.stress_zz};
+namespace {
+
+/// The law's answers at the integration points of one cell, and their means.
+void sample_cell(const Model& model, const Layout& layout, std::span<const double> u,
+                 std::span<const double> history, Index index, CellStresses& found) {
+  thread_local model::IntegrationPoints points;
+  const Scratch<double, 64> local = gather(layout.dofs[index], u);
+  const model::Material& law = model.material(index);
+  const auto own = static_cast<std::size_t>(law.internal_variables());
+  thread_local std::vector<double> trial;
+  trial.resize(own);
+  const auto c = static_cast<std::size_t>(index);
+  double area = 0;
+  with_cell(model, index, [&](const model::Cell& cell) { model.element->integrate(cell, points); });
+  for (int q = 0; q < points.size(); ++q) {
+    const auto at = static_cast<std::size_t>(q);
+    const double part = points.weight[at] / model.thickness;
+    const model::Voigt strain = points.strain(q, local);
+    const std::span<const double> committed =
+        own > 0 ? history.subspan(layout.history[c] + at * own, own) : std::span<const double>();
+    const Stress stress = law.respond(strain, committed, trial).stress;
+    found.sample[found.start[c] + at] = {points.at[at], part, stress};
+    area += part;
+    for (std::size_t k = 0; k < 4; ++k) {
+      found.strain[c][k] += part * strain[k];
+      found.stress[c][k] += part * stress[k];
     }
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    found.strain[c][k] /= area;
+    found.stress[c][k] /= area;
+  }
+}
+
+}  // namespace
+
+CellStresses cell_stresses(const Model& model, const Layout& layout, std::span<const double> u,
+                           std::span<const double> history) {
+  const auto count = static_cast<std::size_t>(model.mesh.cell_count());
+  CellStresses found{std::vector<model::Voigt>(count), std::vector<Stress>(count), layout.point,
+                     std::vector<Sample>(layout.point.back())};
+  core::parallel_for(count, 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+      sample_cell(model, layout, u, history, static_cast<Index>(c), found);
   });
   return found;
 }
@@ -38,29 +67,29 @@ bool same_stiffness(const model::Material& a, const model::Material& b) {
   return &a == &b || (a.shear_modulus() == b.shear_modulus() && a.plane_modulus() == b.plane_modulus());
 }
 
-/// Value at `at` of the best linear fit; false if the centroids are too few or nearly on one line.
-bool fit(const CellStresses& cells, std::span<const Index> patch, Point at, Stress& value) {
-  if (patch.size() < 3) return false;
+/// Value at `at` of the best linear fit; false if the samples are too few or nearly on one line.
+bool fit_linear(std::span<const Sample> samples, Point at, Stress& value) {
+  if (samples.size() < 3) return false;
   double area = 0;
   Point middle;
   Stress mean{};
-  for (const Index c : patch) {
-    area += cells.area[c];
-    middle = middle + cells.area[c] * cells.centroid[c];
-    for (std::size_t k = 0; k < 4; ++k) mean[k] += cells.area[c] * cells.stress[c][k];
+  for (const Sample& each : samples) {
+    area += each.area;
+    middle = middle + each.area * each.at;
+    for (std::size_t k = 0; k < 4; ++k) mean[k] += each.area * each.stress[k];
   }
   middle = (1 / area) * middle;
   double xx = 0, xy = 0, yy = 0;
   Stress along_x{}, along_y{};
-  for (const Index c : patch) {
-    const Point d = cells.centroid[c] - middle;
-    const double w = cells.area[c];
+  for (const Sample& each : samples) {
+    const Point d = each.at - middle;
+    const double w = each.area;
     xx += w * d.x * d.x;
     xy += w * d.x * d.y;
     yy += w * d.y * d.y;
     for (std::size_t k = 0; k < 4; ++k) {
-      along_x[k] += w * d.x * cells.stress[c][k];
-      along_y[k] += w * d.y * cells.stress[c][k];
+      along_x[k] += w * d.x * each.stress[k];
+      along_y[k] += w * d.y * each.stress[k];
     }
   }
   // Spread across the line less than a tenth of that along it: a slope would be guessed.
@@ -69,6 +98,33 @@ bool fit(const CellStresses& cells, std::span<const Index> patch, Point at, Stre
   const Point d = at - middle;
   const double to_x = (yy * d.x - xy * d.y) / determinant, to_y = (xx * d.y - xy * d.x) / determinant;
   for (std::size_t k = 0; k < 4; ++k) value[k] = mean[k] / area + to_x * along_x[k] + to_y * along_y[k];
+  return true;
+}
+
+/// As `fit_linear` with polynomials of degree 2 or 3 about `at`, whose value there is their first
+/// coefficient.
+bool fit(std::span<const Sample> samples, int degree, Point at, Stress& value) {
+  if (degree == 1) return fit_linear(samples, at, value);
+  const auto terms = static_cast<Eigen::Index>((degree + 1) * (degree + 2) / 2);
+  const auto count = static_cast<Eigen::Index>(samples.size());
+  if (count < terms + 2) return false;
+  double reach = 0;
+  for (const Sample& each : samples) reach = std::max(reach, distance(each.at, at));
+  Eigen::MatrixXd left(count, terms), right(count, 4);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Sample& each = samples[static_cast<std::size_t>(i)];
+    const Point d = (1 / reach) * (each.at - at);
+    const double root = std::sqrt(std::max(each.area, 0.0));
+    Eigen::Index m = 0;
+    for (int order = 0; order <= degree; ++order)
+      for (int q = 0; q <= order; ++q) left(i, m++) = root * std::pow(d.x, order - q) * std::pow(d.y, q);
+    for (int k = 0; k < 4; ++k) right(i, k) = root * each.stress[static_cast<std::size_t>(k)];
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(left);
+  solver.setThreshold(1e-3);
+  if (solver.rank() < terms) return false;
+  const Eigen::MatrixXd solution = solver.solve(right);
+  for (int k = 0; k < 4; ++k) value[static_cast<std::size_t>(k)] = solution(0, k);
   return true;
 }
 
@@ -86,7 +142,8 @@ class Recovery {
       if (!first_of_its_material(around, i)) continue;
       gather_patch(around, model_.material(around[i]));
       double area = 0;
-      for (const Index c : patch_) area += cells_.area[c];
+      for (const Index c : patch_)
+        for (const Sample& each : cells_.of(c)) area += each.area;
       const Stress value = patch_value(point);
       for (std::size_t k = 0; k < 4; ++k) sum[k] += area * value[k];
       total += area;
@@ -109,19 +166,30 @@ class Recovery {
       if (same_stiffness(model_.material(c), material)) patch_.push_back(c);
   }
 
+  /// Fits of lower and lower degree to the cells around; each tried on their neighbours, too.
   Stress patch_value(Index point) {
     const Point at = model_.mesh.points[point];
     Stress value{};
-    if (fit(cells_, patch_, at, value)) return value;
-    widen();
-    if (fit(cells_, wide_, at, value)) return value;
+    wide_.clear();
+    for (int degree = model_.element->order(); degree > 0; --degree) {
+      if (fit(samples_of(patch_), degree, at, value)) return value;
+      if (wide_.empty()) widen();
+      if (fit(samples_of(wide_), degree, at, value)) return value;
+    }
     double area = 0;
-    for (const Index c : patch_) {
-      area += cells_.area[c];
-      for (std::size_t k = 0; k < 4; ++k) value[k] += cells_.area[c] * cells_.stress[c][k];
+    for (const Sample& each : samples_of(patch_)) {
+      area += each.area;
+      for (std::size_t k = 0; k < 4; ++k) value[k] += each.area * each.stress[k];
     }
     for (double& component : value) component /= area;
     return value;
+  }
+
+  std::span<const Sample> samples_of(const std::vector<Index>& cells) {
+    samples_.clear();
+    for (const Index c : cells)
+      for (const Sample& each : cells_.of(c)) samples_.push_back(each);
+    return samples_;
   }
 
   /// The patch and all cells of its material that touch it.
@@ -140,6 +208,7 @@ class Recovery {
   const CellStresses& cells_;
   const mesh::Adjacency& cells_of_point_;
   std::vector<Index> patch_, wide_;
+  std::vector<Sample> samples_;
 };
 
 }  // namespace

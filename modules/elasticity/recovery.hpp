@@ -1,10 +1,10 @@
 #pragma once
 // Stresses in cells, and recovered at points.
 //
-// A cell's stress is the law's answer to its mean strain: the stress at the cell's centroid, to second order.
-// At a point, each component is the value of the linear function that fits the centroid values of the cells
-// around it best (weights: areas), after Zienkiewicz and Zhu's patch recovery (Int. J. Numer. Methods Engrg.
-// 33, 1992). Linear stresses are recovered exactly, on the border too.
+// A cell's stress is the mean over its integration points. At a point, each component is the value of the
+// polynomial of the element's order that fits the values at the integration points of the cells around it
+// best (weights: areas), after Zienkiewicz and Zhu's patch recovery (Int. J. Numer. Methods Engrg. 33, 1992).
+// Stresses of that order are recovered exactly, on the border too.
 //
 // Patches never reach across a change of stiffness or a joint. A point where materials meet gets the mean of
 // their values, weighted by their areas at the point; the jump itself shows in the cell fields.
@@ -12,7 +12,7 @@
 #include <array>
 #include <vector>
 
-#include "model/model.hpp"
+#include "elasticity/layout.hpp"
 #include "model/results.hpp"
 
 namespace ashlar::elasticity {
@@ -20,17 +20,29 @@ namespace ashlar::elasticity {
 using mesh::Index;
 using model::Point;
 
-using Stress = std::array<double, 4>;  ///< xx, yy, xy, zz [Pa]; tension positive
+using Stress = model::Voigt;  ///< xx, yy, xy, zz [Pa]; tension positive
 
-struct CellStresses {
-  std::vector<model::Voigt> strain;  ///< xx, yy, γ_xy
-  std::vector<Stress> stress;
-  std::vector<double> area;     ///< [m²]
-  std::vector<Point> centroid;  ///< [m]
+/// What the law said at one integration point.
+struct Sample {
+  Point at;
+  double area = 0;  ///< its share of the cell [m²]
+  Stress stress{};
 };
 
-/// `dofs`: of each cell, in the element's order; `u`: displacement by dof [m].
-CellStresses cell_stresses(const model::Model& model, const mesh::Adjacency& dofs, std::span<const double> u);
+struct CellStresses {
+  std::vector<model::Voigt> strain;  ///< mean of each cell: xx, yy, γ_xy, zz
+  std::vector<Stress> stress;        ///< mean of each cell
+  std::vector<std::size_t> start;    ///< samples of cell c: start[c] … start[c+1]
+  std::vector<Sample> sample;
+  std::span<const Sample> of(Index cell) const {
+    const auto c = static_cast<std::size_t>(cell);
+    return {sample.data() + start[c], start[c + 1] - start[c]};
+  }
+};
+
+/// `u`: displacement by dof [m]; `history`: internal variables of all integration points.
+CellStresses cell_stresses(const model::Model& model, const Layout& layout, std::span<const double> u,
+                           std::span<const double> history = {});
 
 /// Stresses at the mesh points; zero at points without cells.
 std::vector<Stress> recover_at_points(const model::Model& model, const CellStresses& cells);

@@ -42,6 +42,16 @@ Tensor2 BendingStabilisation::weigh(const CellShape& shape, const model::Materia
   return {scale * t.xx, scale * t.xy, scale * t.yy};
 }
 
+void BendingStabilisation::weigh_dofs(const model::Material& material, std::span<const double>,
+                                      std::span<double> d) const {
+  std::fill(d.begin(), d.end(), material.shear_modulus());
+}
+
+void ShearStabilisation::weigh_dofs(const model::Material& material, std::span<const double>,
+                                    std::span<double> d) const {
+  std::fill(d.begin(), d.end(), factor_ * material.shear_modulus());
+}
+
 Tensor2 ShearStabilisation::weigh(const CellShape&, const model::Material& material,
                                   std::span<double> d) const {
   std::fill(d.begin(), d.end(), 1.0);
@@ -51,14 +61,21 @@ Tensor2 ShearStabilisation::weigh(const CellShape&, const model::Material& mater
 
 Tensor2 DiagonalStabilisation::weigh(const CellShape& shape, const model::Material& material,
                                      std::span<double> d) const {
+  Scratch<double> slope(d.size());
+  for (std::size_t i = 0; i < d.size(); ++i) slope[i] = shape.area * dot(shape.slope[i], shape.slope[i]);
+  weigh_dofs(material, slope, d);
+  return {};
+}
+
+void DiagonalStabilisation::weigh_dofs(const model::Material& material, std::span<const double> slope,
+                                       std::span<double> d) const {
   double sum = 0;
   for (std::size_t i = 0; i < d.size(); ++i) {
-    d[i] = 1.5 * material.shear_modulus() * shape.area * dot(shape.slope[i], shape.slope[i]);
+    d[i] = 1.5 * material.shear_modulus() * slope[i];
     sum += d[i];
   }
   // A corner between collinear short edges has next to no slope, yet needs a stiffness.
   for (double& weight : d) weight = std::max(weight, sum / static_cast<double>(d.size()));
-  return {};
 }
 
 }  // namespace ashlar::elasticity

@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "geometry/polygon.hpp"
+
 namespace ashlar::elasticity {
 
 using model::Cell;
@@ -62,16 +64,36 @@ Scratch<Row> residual_rows(const CellShape& shape, std::span<const double> d) {
   return rows;
 }
 
-/// Columns of D B_k, times |E| t.
+/// t (I−P)ᵀ diag(d)⊗T (I−P), entry by entry: at(i, k) t.
+struct Residual {
+  Residual(const CellShape& cell_shape, const Material& material, double thickness,
+           const Stabilisation& stabilisation)
+      : shape(cell_shape), d(cell_shape.slope.size()), y(0) {
+    t = stabilisation.weigh(shape, material, d);
+    t = {thickness * t.xx, thickness * t.xy, thickness * t.yy};
+    y = residual_rows(shape, d);
+  }
+  double at(std::size_t i, std::size_t k) const {
+    const Row w_i{shape.mean[i], shape.slope[i]}, w_k{shape.mean[k], shape.slope[k]};
+    return (i == k ? d[i] : 0) - y[i] * w_k - w_i * y[k];
+  }
+
+  const CellShape& shape;
+  Scratch<double> d;
+  Scratch<Row> y;
+  Tensor2 t;
+};
+
+/// Columns of D B_k, times |E| t: (xx, yy, xy).
 struct StressOf {
-  Voigt x, y;
+  std::array<double, 3> x, y;
 };
 
 StressOf stress_of(const Tangent& d, Point g, double volume) {
   StressOf s;
   for (std::size_t r = 0; r < 3; ++r) {
-    s.x[r] = volume * (d[3 * r] * g.x + d[3 * r + 2] * g.y);
-    s.y[r] = volume * (d[3 * r + 1] * g.y + d[3 * r + 2] * g.x);
+    s.x[r] = volume * (d[4 * r] * g.x + d[4 * r + 2] * g.y);
+    s.y[r] = volume * (d[4 * r + 1] * g.y + d[4 * r + 2] * g.x);
   }
   return s;
 }
@@ -83,10 +105,8 @@ void VemElement::stiffness(const Cell& cell, const Material& material, std::span
   assert(packed.size() == n * (2 * n + 1));
   const CellShape shape(cell.corners);
   const Tangent tangent = material.respond({}, {}, {}).tangent;
-  Scratch<double> d(n);
-  Tensor2 t = stabilisation_->weigh(shape, material, d);
-  t = {cell.thickness * t.xx, cell.thickness * t.xy, cell.thickness * t.yy};
-  const Scratch<Row> y = residual_rows(shape, d);
+  const Residual residual(shape, material, cell.thickness, *stabilisation_);
+  const Tensor2& t = residual.t;
   Scratch<StressOf> stress(n);
   for (std::size_t k = 0; k < n; ++k)
     stress[k] = stress_of(tangent, shape.slope[k], shape.area * cell.thickness);
@@ -95,10 +115,8 @@ void VemElement::stiffness(const Cell& cell, const Material& material, std::span
   for (std::size_t i = 0; i < n; ++i) {
     double* row_y = row_x + 2 * i + 1;
     const Point g = shape.slope[i];
-    const Row w_i{shape.mean[i], g};
     for (std::size_t k = 0; k <= i; ++k) {
-      const Row w_k{shape.mean[k], shape.slope[k]};
-      const double s = (i == k ? d[i] : 0) - y[i] * w_k - w_i * y[k];
+      const double s = residual.at(i, k);
       const StressOf& of = stress[k];
       row_x[2 * k] = g.x * of.x[0] + g.y * of.x[2] + s * t.xx;
       if (k < i) row_x[2 * k + 1] = g.x * of.y[0] + g.y * of.y[2] + s * t.xy;
@@ -153,8 +171,35 @@ void VemElement::add_body_force(const Cell& cell, Point b, std::span<double> for
   }
 }
 
-Voigt VemElement::strain(const Cell& cell, std::span<const double> u, Point) const {
-  return mean_strain(CellShape(cell.corners), u);
+void VemElement::integrate(const Cell& cell, model::IntegrationPoints& points) const {
+  const CellShape shape(cell.corners);
+  points.resize(1, dofs(cell.corners.size()));
+  points.weight[0] = shape.area * cell.thickness;
+  points.at[0] = geometry::centroid(cell.corners);
+  const std::span<double> xx = points.row(0, 0), yy = points.row(0, 1), xy = points.row(0, 2);
+  for (std::size_t i = 0; i < cell.corners.size(); ++i) {
+    const Point g = shape.slope[i];
+    xx[2 * i] = xy[2 * i + 1] = g.x;
+    yy[2 * i + 1] = xy[2 * i] = g.y;
+  }
+}
+
+void VemElement::add_stabilisation(const Cell& cell, const Material& material,
+                                   std::span<double> packed) const {
+  const CellShape shape(cell.corners);
+  const Residual residual(shape, material, cell.thickness, *stabilisation_);
+  double* row = packed.data();
+  for (std::size_t i = 0; i < cell.corners.size(); ++i) {
+    double* row_y = row + 2 * i + 1;
+    for (std::size_t k = 0; k <= i; ++k) {
+      const double s = residual.at(i, k);
+      row[2 * k] += s * residual.t.xx;
+      if (k < i) row[2 * k + 1] += s * residual.t.xy;
+      row_y[2 * k] += s * residual.t.xy;
+      row_y[2 * k + 1] += s * residual.t.yy;
+    }
+    row = row_y + 2 * i + 2;
+  }
 }
 
 void VemElement::edge_shape(double t, std::span<double> values) const {

@@ -20,12 +20,16 @@ class VemElement final : public model::Element {
       : stabilisation_(std::move(stabilisation)) {}
 
   model::NodeCounts nodes() const override { return {}; }
+  int point_count(std::size_t) const override { return 1; }
+  void integrate(const model::Cell& cell, model::IntegrationPoints& points) const override;
+  void add_stabilisation(const model::Cell& cell, const model::Material& material,
+                         std::span<double> packed) const override;
+  bool stabilised() const override { return true; }
   void stiffness(const model::Cell& cell, const model::Material& material,
                  std::span<double> packed) const override;
   void add_internal_force(const model::Cell& cell, const model::Material& material, std::span<const double> u,
                           std::span<double> force) const override;
   void add_body_force(const model::Cell& cell, Point b, std::span<double> force) const override;
-  model::Voigt strain(const model::Cell& cell, std::span<const double> u, Point at) const override;
   int order() const override { return 1; }
   void edge_shape(double t, std::span<double> values) const override;
 

@@ -1,5 +1,6 @@
 #include "core/registry.hpp"
 #include "suitesparse/cholesky.hpp"
+#include "suitesparse/umfpack.hpp"
 
 namespace ashlar::suitesparse {
 
@@ -17,6 +18,9 @@ ASHLAR_MODULE(registry) {
                     std::function<algebra::MakeSolver>([](const core::Settings& settings) {
                       return std::make_unique<Cholesky>(method(settings.text("ordering")));
                     }));
+  registry.add_make(
+      "unsymmetric_solver", "umfpack",
+      std::function<algebra::MakeSolver>([](const core::Settings&) { return std::make_unique<Umfpack>(); }));
 }
 
 }  // namespace ashlar::suitesparse

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "elasticity/bulk.hpp"
-#include "elasticity/elastic.hpp"
+#include "elasticity/materials/elastic/elastic.hpp"
 #include "elasticity/vem.hpp"
 
 namespace ashlar::benchmarks {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "elasticity/bulk.hpp"
-#include "elasticity/elastic.hpp"
+#include "elasticity/materials/elastic/elastic.hpp"
 #include "elasticity/recovery.hpp"
 #include "elasticity/vem.hpp"
 #include "solve/advance.hpp"
@@ -20,11 +20,19 @@ class Solid {
  public:
   Solid(mesh::Mesh mesh, const std::shared_ptr<const model::Material>& material,
         std::shared_ptr<const elasticity::Stabilisation> stabilisation =
-            std::make_shared<elasticity::BendingStabilisation>()) {
+            std::make_shared<elasticity::BendingStabilisation>())
+      : Solid(std::move(mesh), material,
+              std::static_pointer_cast<const model::Element>(
+                  std::make_shared<elasticity::VemElement>(std::move(stabilisation)))) {}
+
+  Solid(mesh::Mesh mesh, const std::shared_ptr<const model::Material>& material,
+        std::shared_ptr<const model::Element> element) {
     model.mesh = std::move(mesh);
     model.materials.assign(std::max<std::size_t>(1, model.mesh.regions.size()), material);
-    model.element = std::make_shared<elasticity::VemElement>(std::move(stabilisation));
-    model.dofs = fields::DofMap(model.mesh, {"displacement", "m"});
+    model.element = std::move(element);
+    const model::NodeCounts nodes = model.element->nodes();
+    model.dofs =
+        fields::DofMap(model.mesh, {"displacement", "m", 2, nodes.per_point, nodes.per_edge, nodes.per_cell});
     bulk = std::make_shared<elasticity::Bulk>(model, elasticity::all_fields);
     const auto size = static_cast<std::size_t>(model.dofs.size());
     load.assign(size, 0);
@@ -34,9 +42,49 @@ class Solid {
   }
 
   void hold(Index point, int component, double value) {
-    const Index dof = model.dofs.of_point(point) + component;
+    hold_dof(model.dofs.of_point(point) + component, value);
+  }
+
+  void hold_dof(Index dof, double value) {
     constraints.held[dof] = 1;
     constraints.value[dof] = value;
+  }
+
+  /// Place of an edge's own node.
+  Point edge_node(Index edge, int node) const {
+    const auto [from, to] = model.mesh.edge_points[edge];
+    const double t = model.element->edge_node(node);
+    return (1 - t) * model.mesh.points[from] + t * model.mesh.points[to];
+  }
+
+  /// Holds all nodes of the border at a field.
+  template <class Field>
+  void hold_border(Field&& field) {
+    for (Index edge = 0; edge < model.mesh.edge_count(); ++edge) {
+      if (model.mesh.edge_cells[edge][1] >= 0) continue;
+      const auto node = [&](Index dof, Point at) {
+        const Point u = field(at);
+        hold_dof(dof, u.x);
+        hold_dof(dof + 1, u.y);
+      };
+      for (const Index point : model.mesh.edge_points[edge])
+        node(model.dofs.of_point(point), model.mesh.points[point]);
+      for (int k = 0; k < model.dofs.field().per_edge; ++k)
+        node(model.dofs.of_edge(edge, k), edge_node(edge, k));
+    }
+  }
+
+  /// Adds a constant body force [N/m³].
+  void weigh(Point b) {
+    std::vector<Point> corners;
+    std::vector<double> force;
+    const elasticity::Layout layout(model);
+    for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
+      const auto dofs = layout.dofs[cell];
+      force.assign(dofs.size(), 0.0);
+      model.element->add_body_force({model.mesh.corners(cell, corners), model.thickness}, b, force);
+      for (std::size_t i = 0; i < dofs.size(); ++i) load[dofs[i]] += force[i];
+    }
   }
 
   /// Adds the nodal forces of a traction [Pa] on a straight border edge.
@@ -58,7 +106,7 @@ class Solid {
         constraints.unknown[dof] = constraints.unknowns();
         constraints.dof.push_back(dof);
       }
-    const solve::Bulk factored(model, {bulk}, constraints, {},
+    solve::Bulk factored(model, {{bulk}, {}}, constraints, {},
                                std::make_unique<suitesparse::Cholesky>(suitesparse::Method::automatic));
     failure = factored.report().reason;
     if (!factored.report().done) return {};

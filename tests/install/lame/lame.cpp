@@ -13,10 +13,11 @@ class Lame final : public model::Material {
   model::Response respond(const model::Voigt& strain, std::span<const double>,
                           std::span<double>) const override {
     const double axial = lambda_ + 2 * mu_;
+    const double trace = lambda_ * (strain[0] + strain[1] + strain[3]);
     return {
-        {axial * strain[0] + lambda_ * strain[1], lambda_ * strain[0] + axial * strain[1], mu_ * strain[2]},
-        lambda_ * (strain[0] + strain[1]),
-        {axial, lambda_, 0, lambda_, axial, 0, 0, 0, mu_}};
+        {trace + 2 * mu_ * strain[0], trace + 2 * mu_ * strain[1], mu_ * strain[2],
+         trace + 2 * mu_ * strain[3]},
+        {axial, lambda_, 0, lambda_, lambda_, axial, 0, lambda_, 0, 0, mu_, 0, lambda_, lambda_, 0, axial}};
   }
   double unit_weight(double) const override { return -1; }
   double shear_modulus() const override { return mu_; }

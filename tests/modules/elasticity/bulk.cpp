@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/parallel.hpp"
-#include "elasticity/elastic.hpp"
+#include "elasticity/materials/elastic/elastic.hpp"
 #include "elasticity/vem.hpp"
 #include "model/results.hpp"
 #include "testing/meshes.hpp"

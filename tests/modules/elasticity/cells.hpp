@@ -8,7 +8,7 @@
 
 #include <Eigen/Dense>
 
-#include "elasticity/elastic.hpp"
+#include "elasticity/materials/elastic/elastic.hpp"
 #include "elasticity/vem.hpp"
 #include "geometry/polygon.hpp"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "elasticity/bulk.hpp"
-#include "elasticity/elastic.hpp"
+#include "elasticity/materials/elastic/elastic.hpp"
 #include "elasticity/vem.hpp"
 #include "geometry/polygon.hpp"
 #include "testing/meshes.hpp"
@@ -27,11 +27,13 @@ template <class Field>
 CellStresses sampled(const model::Model& model, Field field) {
   CellStresses cells;
   std::vector<Point> ring;
+  cells.start = {0};
   for (Index c = 0; c < model.mesh.cell_count(); ++c) {
     const auto corners = model.mesh.corners(c, ring);
-    cells.area.push_back(geometry::signed_area(corners));
-    cells.centroid.push_back(geometry::centroid(corners));
-    cells.stress.push_back(field(c, cells.centroid.back()));
+    const Point at = geometry::centroid(corners);
+    cells.sample.push_back({at, geometry::signed_area(corners), field(c, at)});
+    cells.stress.push_back(cells.sample.back().stress);
+    cells.start.push_back(cells.sample.size());
   }
   return cells;
 }

@@ -74,7 +74,10 @@ class PlainElement : public model::Element {
       force[2 * i + 1] += share * b.y;
     }
   }
-  model::Voigt strain(const model::Cell&, std::span<const double>, Point) const override { return {}; }
+  int point_count(std::size_t) const override { return 1; }
+  void integrate(const model::Cell& cell, model::IntegrationPoints& points) const override {
+    points.resize(1, dofs(cell.corners.size()));
+  }
   int order() const override { return order_; }
   void edge_shape(double t, std::span<double> values) const override {
     if (order_ == 1) {

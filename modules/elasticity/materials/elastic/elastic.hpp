@@ -1,17 +1,9 @@
 #pragma once
 // Hooke's law for plane strain and plane stress, isotropic.
 
-#include <optional>
-
-#include "model/material.hpp"
+#include "elasticity/materials/common.hpp"
 
 namespace ashlar::elasticity {
-
-/// Weight per volume, said as such or by density; nothing said: no weight.
-struct Weight {
-  std::optional<double> unit_weight;  ///< [N/m³]
-  std::optional<double> density;      ///< [kg/m³]
-};
 
 class Elastic final : public model::Material {
  public:
@@ -21,12 +13,13 @@ class Elastic final : public model::Material {
   bool linear() const override { return true; }
   model::Response respond(const model::Voigt& strain, std::span<const double> committed,
                           std::span<double> trial) const override;
-  double unit_weight(double gravity) const override;
+  double unit_weight(double gravity) const override { return weight_per_volume(weight_, gravity); }
   double shear_modulus() const override { return mu_; }
   double plane_modulus() const override { return plane_modulus_; }
 
  private:
-  double mu_, lambda_, plane_modulus_, nu_zz_;
+  double mu_, lambda_, plane_modulus_;
+  bool out_of_plane_;  ///< carries stress out of the plane: not in plane stress
   Weight weight_;
 };
 

@@ -1,6 +1,9 @@
-#include "elasticity/elastic.hpp"
+#include "elasticity/materials/elastic/elastic.hpp"
 
 #include <gtest/gtest.h>
+
+#include "settings.hpp"
+#include "testing/law_battery.hpp"
 
 namespace ashlar::elasticity {
 namespace {
@@ -12,10 +15,10 @@ TEST(elastic, plane_strain_agrees_with_hooke_in_three_dimensions) {
   const Elastic law(e, nu, Plane::strain);
   const auto r = law.respond({0.01, -0.004, 0.006}, {}, {});
   // Back to strains: ε = (1+ν)/E σ − ν/E tr σ, with ε_zz = 0.
-  const double trace = r.stress[0] + r.stress[1] + r.stress_zz;
+  const double trace = r.stress[0] + r.stress[1] + r.stress[3];
   EXPECT_NEAR((1 + nu) / e * r.stress[0] - nu / e * trace, 0.01, 1e-15);
   EXPECT_NEAR((1 + nu) / e * r.stress[1] - nu / e * trace, -0.004, 1e-15);
-  EXPECT_NEAR((1 + nu) / e * r.stress_zz - nu / e * trace, 0, 1e-15);
+  EXPECT_NEAR((1 + nu) / e * r.stress[3] - nu / e * trace, 0, 1e-15);
   EXPECT_NEAR(2 * (1 + nu) / e * r.stress[2], 0.006, 1e-15);
   EXPECT_NEAR(law.plane_modulus(), e / (1 - nu * nu), 1e-14);
 }
@@ -24,22 +27,22 @@ TEST(elastic, plane_stress_agrees_with_hooke_in_three_dimensions) {
   const double e = 10, nu = 0.3;
   const Elastic law(e, nu, Plane::stress);
   const auto r = law.respond({0.01, -0.004, 0.006}, {}, {});
-  EXPECT_EQ(r.stress_zz, 0);
+  EXPECT_EQ(r.stress[3], 0);
   EXPECT_NEAR((r.stress[0] - nu * r.stress[1]) / e, 0.01, 1e-15);
   EXPECT_NEAR((r.stress[1] - nu * r.stress[0]) / e, -0.004, 1e-15);
   EXPECT_NEAR(law.plane_modulus(), e, 1e-14);
   EXPECT_NEAR(law.shear_modulus(), e / 2.6, 1e-14);
 }
 
-TEST(elastic, tangent_is_the_derivative_of_stress) {
+TEST(elastic, battery) {
   for (const Plane plane : {Plane::strain, Plane::stress}) {
     const Elastic law(7, 0.2, plane);
-    const auto tangent = law.respond({}, {}, {}).tangent;
-    for (int j = 0; j < 3; ++j) {
-      model::Voigt strain{};
-      strain[j] = 1;
-      for (int i = 0; i < 3; ++i) EXPECT_DOUBLE_EQ(law.respond(strain, {}, {}).stress[i], tangent[3 * i + j]);
-    }
+    const auto states = testing::random_states(law, 200, 1e-2, 3);
+    const auto battery = testing::run_battery(law, states);
+    EXPECT_LE(battery.worst_tangent, 1e-9) << battery.worst_state;
+    EXPECT_LE(battery.worst_symmetry, 1e-15);
+    EXPECT_EQ(battery.kinks + battery.impure + battery.not_finite, 0);
+    for (const auto& state : states) EXPECT_LE(testing::objectivity_error(law, state, 0.7), 1e-14);
   }
 }
 
@@ -50,20 +53,10 @@ TEST(elastic, weight_comes_from_unit_weight_or_density) {
 }
 
 core::Settings settings(double nu, bool unit_weight, bool density) {
-  core::Settings made;
-  made.kind = "material";
-  made.name = "elastic";
-  const auto add = [&](const char* key, std::optional<double> number) {
-    core::Settings::Entry entry;
-    entry.key = key;
-    if (number) entry.value = core::make_value(*number, {"scene.lua", 3, key});
-    made.entries.push_back(entry);
-  };
-  add("E", 1e9);
-  add("nu", nu);
-  add("unit_weight", unit_weight ? std::optional(24e3) : std::nullopt);
-  add("density", density ? std::optional(2400.0) : std::nullopt);
-  return made;
+  return settings_of("elastic", {{"E", 1e9},
+                                 {"nu", nu},
+                                 {"unit_weight", unit_weight ? std::optional(24e3) : std::nullopt},
+                                 {"density", density ? std::optional(2400.0) : std::nullopt}});
 }
 
 TEST(elastic, refuses_what_has_no_solution_and_says_where) {

@@ -1,0 +1,39 @@
+#pragma once
+// The solid where a law is nonlinear: forces, tangents and internal variables from the integration points.
+//
+//   n(u) = Σ_cells Σ_q w_q B_qᵀ σ(B_q u, history) + S u,   ∂n/∂u = Σ w_q B_qᵀ D_q B_q + S
+//
+// S is that of the elastic law throughout: see the module's README for what that means near collapse.
+
+#include <set>
+#include <string>
+
+#include "elasticity/layout.hpp"
+#include "model/effect.hpp"
+
+namespace ashlar::elasticity {
+
+class Yielding final : public model::Nonlinear {
+ public:
+  /// Adds the internal variables to `state`. `fields`: results that are wanted.
+  Yielding(const model::Model& model, Layout layout, std::set<std::string> fields, fields::State& state);
+
+  const algebra::Adjacency& groups() const override { return layout_.dofs; }
+  bool symmetric() const override { return layout_.symmetric; }
+  void add_internal_force(fields::State& state, std::span<double> force) const override;
+  void add_tangent(fields::State& state, const algebra::ScatterMap& map, std::span<double> lower,
+                   std::span<double> upper) const override;
+  void add_tangent_product(fields::State& state, std::span<const double> direction,
+                           std::span<double> force) const override;
+  std::vector<std::pair<std::string, double>> facts(const fields::State& state) const override;
+  std::size_t bytes() const override { return layout_.bytes(); }
+  void add_results(const fields::State& state, model::StageResult& result) const override;
+
+ private:
+  const model::Model& model_;
+  Layout layout_;
+  std::set<std::string> fields_;
+  fields::State::Id history_;
+};
+
+}  // namespace ashlar::elasticity
