@@ -9,6 +9,10 @@ double Function::number(std::span<const double> arguments, Dimension) const {
       Mistake{{}, "the function must return one number, but returns " + std::to_string(results.size()), {}});
 }
 
+void Function::call_tables(std::span<const NumberTable>, std::span<NumberTable>) const {
+  throw InputError(Mistake{{}, "the function takes no tables", {}});
+}
+
 const Table* Value::table() const {
   const auto* held = std::get_if<std::shared_ptr<const Table>>(&data);
   return held ? held->get() : nullptr;

@@ -20,7 +20,14 @@ struct Quantity {
   bool bare = true;
 };
 
-/// A function from the script. Calls may come from the main thread only.
+/// A table of numbers, to and from a script's function: keyed if it has names (as many as values), else a
+/// list.
+struct NumberTable {
+  std::vector<std::string> names;
+  std::vector<double> values;
+};
+
+/// A function from the script. Calls may come one at a time, from any thread.
 class Function {
  public:
   virtual ~Function() = default;
@@ -29,6 +36,9 @@ class Function {
   virtual std::vector<double> call(std::span<const double> arguments) const = 0;
   /// The one number that it returns, of this dimension if it was written with one. Throws as `call` does.
   virtual double number(std::span<const double> arguments, Dimension dimension) const;
+  /// Calls with tables and reads the tables that it returns: as many as `results`, with their names, or lists
+  /// of their lengths. Throws as `call` does.
+  virtual void call_tables(std::span<const NumberTable> arguments, std::span<NumberTable> results) const;
 };
 
 struct Table;

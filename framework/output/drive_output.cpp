@@ -11,7 +11,6 @@
 
 namespace ashlar::output {
 
-using geometry::Point;
 using solve::DrivePoint;
 using solve::DriveResult;
 

@@ -22,6 +22,19 @@ class ScriptFunction : public core::Function {
     return values;
   }
 
+  void call_tables(std::span<const core::NumberTable> arguments,
+                   std::span<core::NumberTable> results) const override {
+    const std::vector<double> shown = arguments.empty() ? std::vector<double>() : arguments.front().values;
+    const auto failure = machine_->protect([&](lua_State* L) {
+      luaL_checkstack(L, static_cast<int>(arguments.size()) + 4, "too many arguments");
+      lua_rawgeti(L, LUA_REGISTRYINDEX, reference_);
+      for (const core::NumberTable& argument : arguments) push(L, argument);
+      lua_call(L, static_cast<int>(arguments.size()), static_cast<int>(results.size()));
+      for (std::size_t i = 0; i < results.size(); ++i) read(L, static_cast<int>(i) + 1, results[i], shown);
+    });
+    if (failure) throw error(failure->place, "fails: " + failure->what, shown);
+  }
+
   double number(std::span<const double> arguments, core::Dimension dimension) const override {
     const std::vector<core::Quantity> all = results(arguments);
     if (all.size() != 1)
@@ -73,6 +86,44 @@ class ScriptFunction : public core::Function {
   static std::string unit_words(core::Dimension dimension) {
     const std::string unit = core::to_string(dimension);
     return unit.empty() ? "a pure number" : "a number in " + unit;
+  }
+
+  static void push(lua_State* L, const core::NumberTable& table) {
+    lua_newtable(L);
+    for (std::size_t i = 0; i < table.values.size(); ++i) {
+      lua_pushnumber(L, table.values[i]);
+      if (table.names.empty())
+        lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+      else
+        lua_setfield(L, -2, table.names[i].c_str());
+    }
+  }
+
+  // A list that should be empty need not be returned at all.
+  void read(lua_State* L, int index, core::NumberTable& table, std::span<const double> arguments) const {
+    if (table.values.empty() && lua_isnoneornil(L, index)) return;
+    if (!lua_istable(L, index))
+      throw error(place_,
+                  std::string("must return tables, but returns ") +
+                      (lua_isnil(L, index) ? "nothing" : std::string("a ") + luaL_typename(L, index)),
+                  arguments);
+    for (std::size_t i = 0; i < table.values.size(); ++i) {
+      const std::string name = table.names.empty() ? "[" + std::to_string(i + 1) + "]" : "." + table.names[i];
+      lua_pushvalue(L, index);
+      if (table.names.empty())
+        lua_rawgeti(L, -1, static_cast<lua_Integer>(i) + 1);
+      else
+        lua_getfield(L, -1, table.names[i].c_str());
+      const auto quantity = to_quantity(L, -1);
+      if (!quantity || !std::isfinite(quantity->value))
+        throw error(place_,
+                    "must return a finite number at " + name + ", but returns " +
+                        (quantity ? core::format_quantity(quantity->value, {})
+                                  : std::string("a ") + luaL_typename(L, -1)),
+                    arguments);
+      table.values[i] = quantity->value;
+      lua_pop(L, 2);
+    }
   }
 
   std::vector<core::Quantity> results(std::span<const double> arguments) const {

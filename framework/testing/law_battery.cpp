@@ -1,9 +1,9 @@
 #include "testing/law_battery.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <random>
 #include <sstream>
 
@@ -71,8 +71,11 @@ bool finite(const Response& response, const std::vector<double>& variables) {
 }
 
 bool same_bits(const Response& a, const Response& b) {
-  return std::memcmp(a.stress.data(), b.stress.data(), sizeof a.stress) == 0 &&
-         std::memcmp(a.tangent.data(), b.tangent.data(), sizeof a.tangent) == 0;
+  const auto same = [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  };
+  return std::equal(a.stress.begin(), a.stress.end(), b.stress.begin(), same) &&
+         std::equal(a.tangent.begin(), a.tangent.end(), b.tangent.begin(), same);
 }
 
 double asymmetry(const model::Tangent& tangent) {

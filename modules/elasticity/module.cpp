@@ -3,6 +3,7 @@
 #include "elasticity/fem.hpp"
 #include "elasticity/materials/drucker_prager/drucker_prager.hpp"
 #include "elasticity/materials/elastic/elastic.hpp"
+#include "elasticity/materials/lua/lua.hpp"
 #include "elasticity/materials/mohr_coulomb/mohr_coulomb.hpp"
 #include "elasticity/materials/orthotropic/orthotropic.hpp"
 #include "elasticity/vem.hpp"
@@ -60,6 +61,7 @@ ASHLAR_MODULE(registry) {
   add_material("orthotropic", make_orthotropic);
   add_material("mohr_coulomb", make_mohr_coulomb);
   add_material("drucker_prager", make_drucker_prager);
+  add_material("lua", make_lua_law);
   registry.add_make("element", "vem",
                     std::function<model::MakeElement>(
                         [&registry](const core::Settings& settings, int order, core::Mistakes& mistakes) {

@@ -105,6 +105,20 @@ return {
         doc = "Where the cone meets Mohr-Coulomb: in triaxial compression (outer), triaxial extension (inner), " ..
               "or the limit loads of plane strain." },
       alternatives = one_weight },
+    { kind = "material", name = "lua", constructor = "material.lua",
+      doc = "A law written in the scenario, for trying ideas; slow: nine calls of the script a point and iteration.",
+      parameters = with_weights {
+        { key = "stress", forms = { "function" }, required = true,
+          doc = "function(strain, state, p) that returns stress { xx, yy, xy, zz } by name, and the new state as a " ..
+                "list. Tension positive; strain.xy is the shear angle." },
+        { key = "variables", forms = { "integer" }, default = 0, range = { from = 0, to = 64 },
+          doc = "Numbers in the state, all 0 at first." },
+        { key = "parameters", forms = { "table" },
+          doc = "Named numbers that the function gets as p." },
+        { key = "symmetric", forms = { "boolean" }, default = true,
+          doc = "Promise that the tangent is symmetric, as for laws with an energy." },
+      },
+      alternatives = one_weight },
   },
   effects = {
     { name = "elasticity", called_by = { "scene.geometry" }, nonlinear = false,

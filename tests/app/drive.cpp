@@ -108,6 +108,10 @@ TEST(drive, mistakes_are_told_all_at_once_with_their_places) {
   expect_refused("return Drive { material = " + law +
                      ", plane = \"strain\",\n path = function(t) return t, 0, 0/0 end }",
                  {"law.lua:2: path: the function, called with (0.02), returns"});
+  expect_refused(
+      "return Drive { material = material.drucker_prager { E=1e10, nu=0.2, cohesion=1e6, friction=0.5,\n"
+      "  dilation=0, match = \"outr\", density = -1 }, plane = \"strain\", path = { { yy = 1 } } }",
+      {"law.lua:2: material.match", "did you mean 'outer'?", "law.lua:2: material.density: must be"});
   expect_refused("return { }", {"must return Drive { … }, but returns a table"});
 }
 

@@ -102,7 +102,8 @@ std::shared_ptr<const model::Material> make_drucker_prager(const core::Settings&
                                                            core::Mistakes& mistakes) {
   const auto moduli = read_plastic_moduli(settings, plane, mistakes);
   const auto strength = read_frictional_strength(settings, mistakes);
-  if (!moduli || !strength) return nullptr;
+  // A wrong word was told when it was read.
+  if (!moduli || !strength || !settings.has("match")) return nullptr;
   const std::string word = settings.text("match");
   const Match match = word == "outer" ? Match::outer : word == "inner" ? Match::inner : Match::plane_strain;
   return std::make_shared<DruckerPrager>(*moduli, matched(*strength, match), read_weight(settings));
