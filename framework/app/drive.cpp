@@ -25,8 +25,7 @@ model::Drive read_drive(const CommandLine& line, core::Registry& registry, scrip
   script = script::read_scene(line.words.front(), registry, options, mistakes);
   const core::Table* table = script.scene.table();
   model::Drive drive;
-  if (table && table->constructor == "Drive")
-    drive = model::read_drive(script.scene, registry, mistakes);
+  if (table && table->constructor == "Drive") drive = model::read_drive(script.scene, registry, mistakes);
   mistakes.throw_if_any();
   return drive;
 }

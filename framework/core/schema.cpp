@@ -221,6 +221,7 @@ std::string describe(const Schema& schema) {
   if (!schema.constructor.empty()) out << "    in scripts: " << schema.constructor << " { … }";
   out << '\n';
   if (!schema.doc.empty()) out << schema.doc << '\n';
+  if (schema.usual) out << "  taken where no " << schema.kind << " is named\n";
   for (const Parameter& parameter : schema.parameters) describe_parameter(parameter, out);
   for (const Alternative& alternative : schema.alternatives)
     out << "  say " << to_string(alternative) << '\n';

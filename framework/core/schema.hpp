@@ -82,6 +82,7 @@ struct Schema {
   std::string doc;
   std::vector<Parameter> parameters;
   std::vector<Alternative> alternatives = {};
+  bool usual = false;  ///< the one taken where a scene names none of its kind
   const Parameter* find(const std::string& key) const;
   std::vector<std::string> keys() const;
 };

@@ -184,15 +184,18 @@ Settings chosen(const std::string& kind, Settings& root, core::Registry& registr
   for (Settings::Entry& entry : root.entries) {
     if (entry.key != kind || entry.said) continue;
     const std::vector<std::string> names = registry.names(kind);
-    if (names.size() != 1) {
+    const auto usual = std::ranges::find_if(
+        names, [&](const std::string& name) { return registry.find(kind, name)->schema.usual; });
+    if (names.size() != 1 && usual == names.end()) {
       mistakes.add({root.place.file, root.place.line, kind}, "is missing: which " + kind + "?",
                    names.empty() ? "no module provides one: is the modules folder complete?"
                                  : core::did_you_mean("", names));
       return {};
     }
-    entry.value = core::make_value(names.front(), {root.place.file, root.place.line, kind});
+    const std::string& name = usual != names.end() ? *usual : names.front();
+    entry.value = core::make_value(name, {root.place.file, root.place.line, kind});
     entry.object = std::make_shared<const Settings>(
-        core::check(entry.value, registry.find(kind, names.front())->schema, registry, mistakes));
+        core::check(entry.value, registry.find(kind, name)->schema, registry, mistakes));
   }
   return root.entry(kind).object ? root.object(kind) : Settings{};
 }

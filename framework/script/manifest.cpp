@@ -74,10 +74,11 @@ core::Registry manifest_schemas() {
   registry.add_schema(parameter_schema());
   registry.add_schema(schema("alternative", {simple("", Form::text, true), simple("least", Form::integer),
                                              simple("most", Form::integer)}));
-  registry.add_schema(schema("provided", {simple("kind", Form::text, true), simple("name", Form::text, true),
-                                          simple("constructor", Form::text), simple("doc", Form::text),
-                                          several("parameters", Form::list, object({}, "parameter")),
-                                          several("alternatives", Form::list, object({}, "alternative"))}));
+  registry.add_schema(schema(
+      "provided", {simple("kind", Form::text, true), simple("name", Form::text, true),
+                   simple("constructor", Form::text), simple("doc", Form::text),
+                   simple("usual", Form::boolean), several("parameters", Form::list, object({}, "parameter")),
+                   several("alternatives", Form::list, object({}, "alternative"))}));
   registry.add_schema(schema(
       "effect",
       {simple("name", Form::text, true), several("called_by", Form::list, simple({}, Form::text), true),
@@ -203,7 +204,7 @@ class ManifestReader {
     std::vector<core::Alternative> choices = alternatives(said, known, mistakes);
     try {
       registry_.add_schema({said.text("kind"), said.text("name"), said.text("constructor"), said.text("doc"),
-                            std::move(known), std::move(choices)},
+                            std::move(known), std::move(choices), said.flag("usual")},
                            module);
     } catch (const core::InputError& error) {
       mistakes.add(said.place, error.mistakes().front().what);

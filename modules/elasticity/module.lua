@@ -39,7 +39,7 @@ return {
   name = "elasticity",
   doc = "The elastic solid: virtual elements on any polygon, Hooke's law, stresses in cells and at points.",
   provides = {
-    { kind = "element", name = "vem", constructor = "element.vem",
+    { kind = "element", name = "vem", constructor = "element.vem", usual = true,
       doc = "Virtual element of order 1 to 3: any simple polygon, non-convex or with hanging nodes.",
       parameters = {
         { key = "stabilisation", forms = { "object" }, kind = "stabilisation", default = "bending", numerical = true,

@@ -107,7 +107,7 @@ class Solid {
         constraints.dof.push_back(dof);
       }
     solve::Bulk factored(model, {{bulk}, {}}, constraints, {},
-                               std::make_unique<suitesparse::Cholesky>(suitesparse::Method::automatic));
+                         std::make_unique<suitesparse::Cholesky>(suitesparse::Method::automatic));
     failure = factored.report().reason;
     if (!factored.report().done) return {};
     report = solve::advance(factored, {}, constraints, {load, constraints.value}, state);
