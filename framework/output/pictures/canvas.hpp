@@ -2,8 +2,6 @@
 // A page to draw on: thin lines, texts, images. One unit is 1/400 of the page's width; a page printed at
 // column width (85 mm) has texts of 6 to 7 points. Included by pictures/*.cpp only.
 
-#include <cairo.h>
-
 #include <functional>
 #include <span>
 #include <string>
@@ -11,6 +9,9 @@
 
 #include "output/pictures/colors.hpp"
 #include "output/pictures/raster.hpp"
+
+// Cairo's own declaration; tests read this header without cairo's.
+using cairo_t = struct _cairo;  // NOLINT
 
 namespace ashlar::output {
 

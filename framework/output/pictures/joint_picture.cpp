@@ -119,7 +119,7 @@ Panel make_panel(const std::vector<Curve>& curves, const Quantity& quantity, dou
   }
   if (common.high > common.low && common.high - common.low < 0.3 * (p.high - p.low)) {
     p.low = common.low;
-    p.high = common.high;
+    p.high = common.high + 0.15 * (common.high - common.low);  // for the words about the peak
   }
   if (!(p.s_high > p.s_low)) p.s_high = p.s_low + 1;
   if (!(p.high > p.low)) p.high = p.low + 1;
