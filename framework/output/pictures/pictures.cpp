@@ -14,7 +14,7 @@ namespace {
 
 void warn_of_no_picture(const PictureSource& source, const std::string& word) {
   const core::Settings::Entry* said = source.scene.outputs.find("pictures");
-  if (!said || !said->said) return;
+  if (!said || !said->said || !said->value.table()) return;
   std::vector<std::string> valid = {"mesh", "deformed", "joints"};
   for (const model::FieldResult& field : source.stage.fields) valid.push_back(field.name);
   core::log().warning(core::to_string(said->value.place) + ": there is nothing to draw for '" + word + "'; " +

@@ -199,7 +199,7 @@ TEST(profile, welded_tips_close_it_without_a_pressure) {
 }
 
 TEST(profile, a_peak_does_not_take_the_axis_and_is_told) {
-  Sample sample = make_sample(30);
+  Sample sample = make_sample(40);
   model::JointResult& joint = sample.result.stages[1].joints[0];
   ASSERT_GT(joint.rows.size(), 210u);
   joint.rows[100].pressure = 6e7;
