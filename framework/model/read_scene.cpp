@@ -233,6 +233,7 @@ Scene read_scene(const core::Value& value, core::Registry& registry, Mistakes& m
   check_sizes(scene, mistakes);
   Names names = collect_names(scene);
   names.edges_unknown = names.edges_unknown || !complete || any_mistake_in("geometry", mistakes);
+  names.known["picture"] = picture_words(registry);
   read_stages(value, root, names, scene.stages, mistakes);
   check_names(root, registry, names, mistakes);
   scene.drawn = complete && can_be_arranged(scene, mistakes);

@@ -32,10 +32,18 @@ struct JointResult {
     bool closed = false;
     int piece = 0;  ///< changes where the profile is interrupted
   };
+  /// Where the lips end in one point: no opening, no slip, and no contact point.
+  struct Tip {
+    double s = 0;
+    Point at;
+  };
   std::string name;
   std::vector<Row> rows;
-  double normal_force = 0;  ///< Σ contact forces along the normals, compression positive [N]
-  Resultant resultant;      ///< contact force on the first lip's body
+  std::vector<Tip> tips;      ///< welded ends, ascending s
+  double length = 0;          ///< of the slave lip [m]
+  double contact_length = 0;  ///< of it, what the rows stand for: not the half edges at tips [m]
+  double normal_force = 0;    ///< Σ contact forces along the normals, compression positive [N]
+  Resultant resultant;        ///< contact force on the first lip's body
   double max_opening = 0, max_slip = 0, max_penetration = 0, max_pressure = 0;
   double penetration_over_h = 0;
   int closed = 0, points = 0;

@@ -185,9 +185,15 @@ void add_outputs(core::Registry& registry) {
             refers("joint") |
             each(parameter("", Form::list, "") |
                  each(parameter("", Form::object, "") | of_kind("joint_field"))),
-        parameter("pictures", Form::boolean | Form::list,
-                  "false for none, or a list: mesh, deformed, joints, and names of fields") |
-            each(parameter("", Form::text, "")) | otherwise(make_value(true)),
+        parameter(
+            "pictures", Form::boolean | Form::list,
+            "false for none, or a list: mesh, deformed, joints, ux, uy, sxx, syy, sxy, szz, s1, s3, tmax, "
+            "von_mises, and names of fields") |
+            each(parameter("", Form::text, "") | refers("picture")) | otherwise(make_value(true)),
+        parameter("picture_stages", Form::boolean | Form::list,
+                  "stages to draw: true for all, or a list of names; the last by default. Pictures of other "
+                  "stages than the last lie in a folder of their own") |
+            refers("stage") | each(parameter("", Form::text, "")),
         parameter("formats", Form::list, "kinds of files") |
             each(parameter("", Form::text, "") | one_of({"hdf5", "vtu", "csv", "png", "svg"})) |
             otherwise(words({"hdf5", "vtu", "csv", "png"}))}});

@@ -111,6 +111,13 @@ void warn_of_held_loads(const Scene& scene, const core::Registry& registry) {
     });
 }
 
+std::vector<std::string> picture_words(const core::Registry& registry) {
+  std::vector<std::string> words = {"mesh", "deformed", "joints", "ux", "uy", "sxx",
+                                    "syy",  "sxy",      "szz",    "s1", "s3", "tmax"};
+  for (const std::string& field : registry.names("field")) words.push_back(field);
+  return words;
+}
+
 Names collect_names(const Scene& scene) {
   Names names;
   for (const char* what : {"edge", "region", "joint", "lip", "probe", "stage"}) names.known[what];

@@ -13,7 +13,7 @@ namespace ashlar::model {
 
 struct Names {
   /// What may be referred to: "edge" → {"rock.bottom", "fault.upper" …}, "region", "joint", "lip", "probe",
-  /// "stage".
+  /// "stage", "picture".
   std::map<std::string, std::vector<std::string>> known;
   /// Edges of a mesh file show only when the file is read; those of a broken region not at all.
   bool edges_unknown = false;
@@ -41,6 +41,9 @@ void check_names(const core::Settings& settings, const core::Registry& registry,
 
 /// Warns of stages' loads on edges that are fully held: they move nothing.
 void warn_of_held_loads(const Scene& scene, const core::Registry& registry);
+
+/// What `outputs.pictures` may name.
+std::vector<std::string> picture_words(const core::Registry& registry);
 
 /// The names that regions, joints and stages bring.
 Names collect_names(const Scene& scene);

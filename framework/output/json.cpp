@@ -52,6 +52,8 @@ Json joints(const model::StageResult& stage) {
                         {"max_pressure", joint.max_pressure},
                         {"closed", joint.closed},
                         {"points", joint.points},
+                        {"length", joint.length},
+                        {"contact_length", joint.contact_length},
                         {"profile", profile(joint)}};
   return json;
 }

@@ -122,6 +122,8 @@ void write_joint(const Handle& parent, const model::JointResult& joint) {
   attribute(group, "penetration_over_h", joint.penetration_over_h);
   attribute(group, "max_pressure", joint.max_pressure);
   attribute(group, "closed_points", joint.closed);
+  attribute(group, "length", joint.length);
+  attribute(group, "contact_length", joint.contact_length);
 }
 
 void write_probe(const Handle& parent, const model::ProbeResult& probe) {

@@ -133,7 +133,17 @@ std::string joints_text(const model::RunResult& result) {
                       short_quantity(joint.normal_force, "N"), short_quantity(joint.max_opening, "m"),
                       short_quantity(joint.max_slip, "m"), short_quantity(joint.max_pressure, "Pa"),
                       number("%.1e", joint.penetration_over_h)});
-  return rows.size() == 1 ? std::string() : "Joints (greatest values)\n" + aligned(rows, 2);
+  if (rows.size() == 1) return {};
+  std::string text = "Joints (greatest values)\n" + aligned(rows, 2);
+  // The mesh is the same in all stages.
+  for (const model::JointResult& joint : result.stages.back().joints)
+    if (joint.contact_length < (1 - 1e-9) * joint.length)
+      text += "  " +
+              wrapped(joint.name + ": contact points stand for " + short_quantity(joint.contact_length, "m") +
+                          " of " + short_quantity(joint.length, "m") +
+                          "; what the rest carries, at welded tips, is not in the normal force",
+                      width - 2, 4);
+  return text;
 }
 
 std::string probes_text(const model::RunResult& result) {

@@ -1,6 +1,8 @@
 #include "output/tables.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include "output/files.hpp"
@@ -61,19 +63,33 @@ std::string probes_csv(const RunResult& result) {
   return text;
 }
 
+std::vector<JointResult::Row> rows_and_tips(const JointResult& joint) {
+  std::vector<JointResult::Row> rows = joint.rows;
+  for (const JointResult::Tip& tip : joint.tips) {
+    const auto after =
+        std::find_if(rows.begin(), rows.end(), [&](const JointResult::Row& row) { return row.s > tip.s; });
+    const int piece = rows.empty() ? 0 : after == rows.begin() ? after->piece : (after - 1)->piece;
+    rows.insert(after, {tip.s, tip.at, 0, 0, std::numeric_limits<double>::quiet_NaN(), true, piece});
+  }
+  return rows;
+}
+
 std::string joint_csv(const RunResult& result, const std::string& name) {
-  std::string text = "stage,s [m],x [m],y [m],opening [m],slip [m],pressure [Pa],closed,piece\n";
+  std::string text = "stage,s [m],x [m],y [m],opening [m],slip [m],pressure [Pa],closed,piece,welded\n";
   bool any = false;
   for (const StageResult& stage : result.stages)
     for (const JointResult& joint : stage.joints) {
       if (joint.name != name) continue;
       any = true;
       const std::string first = csv_field(stage.name);
-      for (const JointResult::Row& row : joint.rows) {
+      for (const JointResult::Row& row : rows_and_tips(joint)) {
+        const bool welded = std::isnan(row.pressure);
         text += first;
-        for (const double value : {row.s, row.at.x, row.at.y, row.opening, row.slip, row.pressure})
+        for (const double value : {row.s, row.at.x, row.at.y, row.opening, row.slip})
           text += "," + shortest(value);
-        text += std::string(row.closed ? ",1," : ",0,") + std::to_string(row.piece) + "\n";
+        text += "," + (welded ? std::string() : shortest(row.pressure));
+        text +=
+            std::string(row.closed ? ",1," : ",0,") + std::to_string(row.piece) + (welded ? ",1\n" : ",0\n");
       }
     }
   return any ? text : std::string();

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "model/results.hpp"
 
@@ -13,7 +14,12 @@ namespace ashlar::output {
 /// One row per stage and probe: stage, probe, place, then the quantities.
 std::string probes_csv(const model::RunResult& result);
 
-/// One row per stage and point of the joint, long format. Empty if no stage has this joint.
+/// A joint's rows and its welded tips, ascending in s. At a tip opening and slip are 0 and the pressure is
+/// NaN: no contact point stands there.
+std::vector<model::JointResult::Row> rows_and_tips(const model::JointResult& joint);
+
+/// One row per stage and point of the joint, long format; welded tips have no pressure. Empty if no stage has
+/// this joint.
 std::string joint_csv(const model::RunResult& result, const std::string& joint);
 
 /// One row per stage, step and iteration: residual and the facts that the terms gave.

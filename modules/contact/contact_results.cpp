@@ -2,10 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "contact/contact_term.hpp"
 
 namespace ashlar::contact {
+
+namespace {
+
+// Half an edge at a welded tip has no contact point: what it carries goes through the tip's cells.
+void add_lengths(const mesh::Mesh& mesh, const JointContact& parts, model::JointResult& result) {
+  for (const ContactPoint& point : parts.points) result.contact_length += point.length;
+  const auto joint = std::find_if(mesh.joints.begin(), mesh.joints.end(),
+                                  [&](const mesh::JointLips& each) { return each.name == parts.name; });
+  if (joint == mesh.joints.end()) return;
+  std::set<Index> master;
+  for (const mesh::LipEdge& edge : joint->lips[1 - parts.slave]) master.insert({edge.from, edge.to});
+  for (const mesh::LipEdge& edge : joint->lips[parts.slave]) {
+    result.length += geometry::distance(mesh.points[edge.from], mesh.points[edge.to]);
+    if (master.contains(edge.from)) result.tips.push_back({edge.s_from, mesh.points[edge.from]});
+    if (master.contains(edge.to)) result.tips.push_back({edge.s_to, mesh.points[edge.to]});
+  }
+}
+
+}  // namespace
 
 std::span<const double> ContactTerm::open(const fields::State& state, std::size_t joint) const {
   return state.committed(state.find("contact." + joints_[joint].name + ".open"));
@@ -46,6 +66,7 @@ model::JointResult ContactTerm::joint_result(std::size_t joint, std::span<const 
   model::JointResult result;
   result.name = joints_[joint].name;
   result.points = static_cast<int>(open.size());
+  add_lengths(model_.mesh, joints_[joint], result);
   for (std::size_t p = 0; p < open.size(); ++p) add_row(joint, p, open[p] == 0, u, result);
   return result;
 }

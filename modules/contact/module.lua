@@ -43,7 +43,8 @@ return {
   effects = {
     { name = "contact", called_by = { "scene.joints" }, nonlinear = true,
       doc = "Joints open and close: no tension across them, no penetration but the penalty's. Small sliding: "
-         .. "points stay paired as in the undeformed mesh.",
+         .. "points stay paired as in the undeformed mesh. Forces are those of the contact points: half a mesh edge "
+         .. "at each welded tip has none.",
       left_out = "Contact in joints: the body is whole, and every border between regions bonded. It matters when "
               .. "faults, bedding or lift joints would open, slide or carry no tension." },
   },

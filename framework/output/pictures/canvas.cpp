@@ -3,6 +3,7 @@
 #include <cairo-svg.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -60,7 +61,32 @@ cairo_status_t append(void* closure, const unsigned char* data, unsigned int len
   return CAIRO_STATUS_SUCCESS;
 }
 
+// One pixel, for measuring.
+Surface speck() {
+  return {cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1), cairo_surface_destroy};
+}
+
 }  // namespace
+
+double overlap(const Box& a, const Box& b) {
+  const double x = std::min(a.corner.x + a.width, b.corner.x + b.width) - std::max(a.corner.x, b.corner.x);
+  const double y = std::min(a.corner.y + a.height, b.corner.y + b.height) - std::max(a.corner.y, b.corner.y);
+  return std::max(0.0, std::min(x, y));
+}
+
+double measured(const std::string& markup, const TextStyle& style) {
+  const Surface surface = speck();
+  const Context cairo(cairo_create(surface.get()), cairo_destroy);
+  return Canvas(cairo.get()).text_width(markup, style);
+}
+
+std::vector<TextBox> page_texts(const std::function<void(Canvas&)>& draw) {
+  const Surface surface = speck();
+  const Context cairo(cairo_create(surface.get()), cairo_destroy);
+  Canvas canvas(cairo.get());
+  draw(canvas);
+  return canvas.texts();
+}
 
 Canvas::Canvas(cairo_t* cairo) : cairo_(cairo) {
   cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);
@@ -132,6 +158,22 @@ void Canvas::text(double x, double y, const std::string& markup, const TextStyle
     cairo_show_text(cairo_, run.c_str());
   });
   cairo_restore(cairo_);
+  remember(x, y, markup, style);
+}
+
+void Canvas::remember(double x, double y, const std::string& markup, const TextStyle& style) {
+  double top = 0, bottom = 0;
+  const double width = each_run(markup, style, [&](const std::string& run, double, double drop) {
+    cairo_text_extents_t ink;
+    cairo_text_extents(cairo_, run.c_str(), &ink);
+    top = std::min(top, drop + ink.y_bearing);
+    bottom = std::max(bottom, drop + ink.y_bearing + ink.height);
+  });
+  const double from = style.align == Align::right ? -width : style.align == Align::center ? -width / 2 : 0;
+  // A quarter turn counter-clockwise takes (x, y) to (y, −x).
+  const bool turned = std::lround(style.turn) % 2 != 0;
+  texts_.push_back({markup, turned ? Box{{x + top, y - from - width}, bottom - top, width}
+                                   : Box{{x + from, y + top}, width, bottom - top}});
 }
 
 std::string Canvas::fitted(std::string markup, double width, const TextStyle& style) {

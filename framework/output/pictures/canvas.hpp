@@ -2,14 +2,16 @@
 // A page to draw on: thin lines, texts, images. One unit is 1/400 of the page's width; a page printed at
 // column width (85 mm) has texts of 6 to 7 points. Included by pictures/*.cpp only.
 
-#include <cairo.h>
-
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "output/pictures/colors.hpp"
 #include "output/pictures/raster.hpp"
+
+// Cairo's own declaration; tests read this header without cairo's.
+using cairo_t = struct _cairo;  // NOLINT
 
 namespace ashlar::output {
 
@@ -34,6 +36,19 @@ struct LineStyle {
   double opacity = 1;
 };
 
+struct Box {
+  geometry::Point corner;  ///< upper left, in units
+  double width = 0, height = 0;
+};
+/// Length that the boxes share in both directions; 0 if they do not overlap.
+double overlap(const Box& a, const Box& b);
+
+/// A text as it stands on a page: the box around its ink.
+struct TextBox {
+  std::string markup;
+  Box box;
+};
+
 class Canvas {
  public:
   explicit Canvas(cairo_t* cairo);
@@ -41,6 +56,8 @@ class Canvas {
   /// Baseline at y. "*x*" is set in italics, "u_{y}" with a subscript.
   void text(double x, double y, const std::string& markup, const TextStyle& style = {});
   double text_width(const std::string& markup, const TextStyle& style = {});
+  /// All texts so far.
+  const std::vector<TextBox>& texts() const { return texts_; }
   /// `markup`, cut short with "…" until it fits.
   std::string fitted(std::string markup, double width, const TextStyle& style = {});
 
@@ -59,11 +76,18 @@ class Canvas {
   double each_run(const std::string& markup, const TextStyle& style, Use&& use);
   void trace(std::span<const geometry::Point> points, bool closed);
   void stroke(const LineStyle& style);
+  void remember(double x, double y, const std::string& markup, const TextStyle& style);
   cairo_t* cairo_;
+  std::vector<TextBox> texts_;
 };
+
+/// Width of a text before there is a page to set it on.
+double measured(const std::string& markup, const TextStyle& style = {});
 
 /// A page of `height` units drawn by `draw`, as the bytes of a PNG or SVG file.
 std::string png_page(double height, const std::function<void(Canvas&)>& draw);
 std::string svg_page(double height, const std::function<void(Canvas&)>& draw);
+/// The texts that `draw` sets, and where.
+std::vector<TextBox> page_texts(const std::function<void(Canvas&)>& draw);
 
 }  // namespace ashlar::output

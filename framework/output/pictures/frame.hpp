@@ -2,6 +2,8 @@
 // Where things stand on a page: the plot with its axes in metres, title, colour bar. Included by
 // pictures/*.cpp only.
 
+#include <optional>
+
 #include "output/pictures/canvas.hpp"
 
 namespace ashlar::output {
@@ -19,6 +21,8 @@ struct Frame {
   double scale = 1;              ///< units per metre
   double page_height = 0;
   Bar bar = Bar::none;
+  UnitScale unit{1, "m"};         ///< of the axes
+  double x_step = 1, y_step = 1;  ///< between ticks [m]
   geometry::Point at(geometry::Point p) const {
     return {corner.x + (p.x - left) * scale, corner.y + (top - p.y) * scale};
   }
@@ -26,8 +30,11 @@ struct Frame {
   Image image() const;
 };
 
-/// One scale for both axes. The colour bar stands right of the plot, or lies below one that is wide and low.
-Frame make_frame(const Bounds& bounds, bool with_bar);
+/// One scale for both axes. A narrow or low body gets room beside it, so that ticks and labels find place.
+/// The colour bar stands right of the plot, or lies below one that is wide and low; `bar_labels` is the width
+/// of its widest number, nothing without a bar.
+Frame make_frame(const Bounds& bounds, std::optional<double> bar_labels);
+double bar_label_width(const Bands& bands, const UnitScale& unit);
 
 void draw_title(Canvas& canvas, const std::string& title, const std::string& subtitle);
 void draw_axes(Canvas& canvas, const Frame& frame);

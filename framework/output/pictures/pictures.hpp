@@ -1,8 +1,11 @@
 #pragma once
 // The pictures of a run, drawn without other programs. Which ones: `outputs.pictures` of the scene — false
 // for none, a list of words, or (true, absent) the default set:
-//   mesh; of the last stage deformed, displacement, ux, uy, syy, s1, s3; joints: one profile picture a joint.
-// Words are also sxx, sxy, szz and the name of any field of the results, for all its components.
+//   mesh; of a stage deformed, displacement, ux, uy, sxx, syy, sxy, s1, s3; joints: one profile picture a
+//   joint.
+// Words are also szz, tmax, von_mises and the name of any field of the results, for all its components.
+// Which stages: `outputs.picture_stages` — true for all, a list of names, or (absent) the last. Pictures of
+// the last stage bear the quantity's name, those of others lie in a folder NN_STAGE.
 
 #include <functional>
 #include <string>
@@ -19,7 +22,7 @@ class Canvas;
 /// Refers to the scene, model and results that it was made from. `height` is in units of the page's width /
 /// 400.
 struct Picture {
-  std::string name;  ///< of the file, without ending
+  std::string name;  ///< of the file, without ending; may begin with a folder
   double height = 0;
   std::function<void(Canvas&)> draw;
 };

@@ -111,6 +111,15 @@ class BandPainter {
     const Point slope = {(vb * ac.y - vc * ab.y) / area, (vc * ab.x - vb * ac.x) / area};
     const double start = (a.value - bands_.first) / bands_.step;
     const double per_pixel = geometry::norm(slope);
+    // Flat to round-off: no border of bands runs through it, even where it lies on one.
+    if (per_pixel < 1e-7) {
+      const int band = std::clamp(static_cast<int>(std::floor(start + 1e-6)), 0, bands_.count() - 1);
+      scan(image_, a, b, c, [&](int row, int begin, int end) {
+        std::uint32_t* pixel = &image_.pixels[static_cast<std::size_t>(row) * image_.width];
+        std::fill(pixel + begin, pixel + end, fill_[band]);
+      });
+      return;
+    }
     scan(image_, a, b, c, [&](int row, int begin, int end) {
       double v = start + slope.x * (begin + 0.5 - a.p.x) + slope.y * (row + 0.5 - a.p.y);
       std::uint32_t* pixel = &image_.pixels[static_cast<std::size_t>(row) * image_.width];

@@ -16,7 +16,23 @@ std::string with_minus(std::string text) {
   return text;
 }
 
+// 10⁻⁶ … 10⁹ where plain digits would be many.
+UnitScale power_of_ten(double greatest) {
+  if (greatest >= 0.01 && greatest < 1e5) return {1, ""};
+  static constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const int power = 3 * static_cast<int>(std::floor(std::log10(greatest * (1 + margin)) / 3));
+  std::string name = power < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(power))) name += digits[digit - '0'];
+  return {std::pow(10, power), name};
+}
+
 }  // namespace
+
+UnitScale place_scale(double size) {
+  if (size >= 2e4) return {1e3, "km"};
+  if (size >= 0.05) return {1, "m"};
+  return size >= 5e-5 ? UnitScale{1e-3, "mm"} : UnitScale{1e-6, "µm"};
+}
 
 UnitScale unit_scale(const std::string& unit, double greatest) {
   struct Prefix {
@@ -25,7 +41,9 @@ UnitScale unit_scale(const std::string& unit, double greatest) {
   };
   static constexpr std::array<Prefix, 7> prefixes = {
       {{"n", 1e-9}, {"µ", 1e-6}, {"m", 1e-3}, {"", 1}, {"k", 1e3}, {"M", 1e6}, {"G", 1e9}}};
-  if (unit.empty() || !(greatest > 0) || !std::isfinite(greatest)) return {1, unit};
+  if (!(greatest > 0) || !std::isfinite(greatest)) return {1, unit};
+  if (unit.empty()) return power_of_ten(greatest);
+  if (unit == "deg") return {1, "°"};
   const bool large = unit[0] == 'P' || unit[0] == 'N';
   const std::size_t from = large ? 3 : 0, to = large ? 6 : 3;
   std::size_t best = from;
@@ -74,6 +92,21 @@ std::string value_text(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.4g", value);
   return with_minus(text.data());
+}
+
+std::string value_text(double value, const UnitScale& near, const std::string& unit) {
+  const double size = std::abs(value) / near.factor;
+  const bool readable = size == 0 || (size >= 0.01 && size < 1e4);
+  const UnitScale scale = readable ? near : unit_scale(unit, std::abs(value));
+  const std::string space = scale.name.empty() || scale.name == "°" ? "" : unit.empty() ? "·" : " ";
+  return value_text(value / scale.factor) + (value == 0 && unit.empty() ? "" : space + scale.name);
+}
+
+double step_of_at_least(double step, double least) {
+  for (double power = 1; power < 1e12; power *= 10)
+    for (const double m : {1.0, 2.0, 5.0})
+      if (m * power * step >= least * (1 - margin)) return m * power * step;
+  return step;
 }
 
 Bands make_bands(double low, double high, double least, double greatest) {

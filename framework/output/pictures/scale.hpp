@@ -13,8 +13,11 @@ struct UnitScale {
   double factor = 1;
   std::string name;  ///< "MPa"
 };
-/// The prefix in which `greatest` (SI) reads as a number from 1 to 1000: mm, kPa, MN …
+/// The prefix in which `greatest` (SI) reads as a number from 1 to 1000: mm, kPa, MN … Numbers without a unit
+/// that are small or large take a power of ten: "10⁻³".
 UnitScale unit_scale(const std::string& unit, double greatest);
+/// The unit for places on a body of this size: mm below 0.05 m, km from 20 km on.
+UnitScale place_scale(double size);
 
 /// The least of 1, 2, 2.5 and 5 times a power of ten that is not below x > 0.
 double round_up(double x);
@@ -28,6 +31,10 @@ std::vector<double> multiples(double low, double high, double step);
 std::string tick_text(double value, double step);
 /// Four significant digits; a true minus sign.
 std::string value_text(double value);
+/// "12.3 MPa": in `near`, or in a unit of its own where that would take many zeros.
+std::string value_text(double value, const UnitScale& near, const std::string& unit);
+/// The least multiple 1, 2, 5, 10 … of `step` that is at least `least`.
+double step_of_at_least(double step, double least);
 
 /// Contour bands between multiples of a round step. Values outside take the end bands' colours.
 struct Bands {

@@ -42,8 +42,7 @@ Meaning meaning(const std::string& quantity) {
   if (quantity == "ux" || quantity == "uy") return {"displacement", quantity.substr(1)};
   if (quantity == "sxx" || quantity == "syy" || quantity == "sxy" || quantity == "szz")
     return {"stress", quantity.substr(1)};
-  if (quantity == "s1" || quantity == "s2" || quantity == "s3")
-    return {"principal_stress", quantity.substr(1)};
+  if (quantity == "s1" || quantity == "s3") return {"principal_stress", quantity.substr(1)};
   const std::size_t dot = quantity.rfind('.');
   if (dot == std::string::npos) return {quantity, ""};
   return {quantity.substr(0, dot), quantity.substr(dot + 1)};
@@ -51,11 +50,21 @@ Meaning meaning(const std::string& quantity) {
 
 std::string title_of(const std::string& quantity) {
   static const std::map<std::string, std::string> titles = {
-      {"displacement", "Displacement |*u*|"},    {"ux", "Horizontal displacement *u*_{x}"},
-      {"uy", "Vertical displacement *u*_{y}"},   {"sxx", "Horizontal stress *σ*_{xx}"},
-      {"syy", "Vertical stress *σ*_{yy}"},       {"sxy", "Shear stress *τ*_{xy}"},
-      {"szz", "Out-of-plane stress *σ*_{zz}"},   {"s1", "Major principal stress *σ*_{1}"},
-      {"s2", "Middle principal stress *σ*_{2}"}, {"s3", "Minor principal stress *σ*_{3}"}};
+      {"displacement", "Displacement |*u*|"},
+      {"ux", "Horizontal displacement *u*_{x}"},
+      {"uy", "Vertical displacement *u*_{y}"},
+      {"sxx", "Horizontal stress *σ*_{xx}"},
+      {"syy", "Vertical stress *σ*_{yy}"},
+      {"sxy", "Shear stress *τ*_{xy}"},
+      {"szz", "Out-of-plane stress *σ*_{zz}"},
+      {"s1", "Major principal stress *σ*_{1}"},
+      {"s3", "Minor principal stress *σ*_{3}"},
+      {"tmax", "Greatest shear stress in the plane *τ*_{max}"},
+      {"von_mises", "Equivalent stress of von Mises *σ*_{v}"},
+      {"principal_angle", "Direction of *σ*_{1}, from *x*"},
+      {"strain.xx", "Horizontal strain *ε*_{xx}"},
+      {"strain.yy", "Vertical strain *ε*_{yy}"},
+      {"strain.gamma_xy", "Shear strain *γ*_{xy}"}};
   const auto found = titles.find(quantity);
   if (found != titles.end()) return found->second;
   std::string text = quantity;
@@ -85,26 +94,62 @@ std::optional<Series> pick(const FieldResult* field, const std::string& componen
   return Series{field->on, std::move(values), field->unit};
 }
 
-// σ₁ and σ₃ in the plane, for runs whose outputs name the stress but not its principal values.
-std::optional<Series> principal(const FieldResult* stress, const std::string& number) {
-  const auto xx = pick(stress, "xx"), yy = pick(stress, "yy"), xy = pick(stress, "xy");
-  if (!xx || !yy || !xy || number == "2") return {};
-  Series result{xx->on, xx->values, xx->unit};
+// What follows from the stress, for runs whose outputs name it alone.
+std::optional<Series> from_stress(const FieldResult* stress, const std::string& quantity) {
+  const auto xx = pick(stress, "xx"), yy = pick(stress, "yy"), xy = pick(stress, "xy"),
+             zz = pick(stress, "zz");
+  if (!xx || !yy || !xy || !zz) return {};
+  Series result = *xx;
   for (std::size_t i = 0; i < result.values.size(); ++i) {
-    const double middle = (xx->values[i] + yy->values[i]) / 2;
-    const double radius = std::hypot((xx->values[i] - yy->values[i]) / 2, xy->values[i]);
-    result.values[i] = number == "1" ? middle + radius : middle - radius;
+    const double x = xx->values[i], y = yy->values[i], z = zz->values[i], shear = xy->values[i];
+    const double middle = (x + y) / 2, radius = std::hypot((x - y) / 2, shear);
+    double& value = result.values[i];
+    if (quantity == "s1") value = middle + radius;
+    if (quantity == "s3") value = middle - radius;
+    if (quantity == "tmax") value = radius;
+    if (quantity == "von_mises")
+      value = std::sqrt(((x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x)) / 2 + 3 * shear * shear);
   }
   return result;
 }
 
+bool follows_from_stress(const std::string& quantity) {
+  return quantity == "s1" || quantity == "s3" || quantity == "tmax" || quantity == "von_mises";
+}
+
 std::optional<Series> series(const StageResult& stage, const std::string& quantity, bool prefer_nodes) {
   const Meaning wanted = meaning(quantity);
-  const std::string nodal = wanted.field + "_nodes";
-  for (const std::string& name : {prefer_nodes ? nodal : wanted.field, prefer_nodes ? wanted.field : nodal})
-    if (auto found = pick(find(stage, name), wanted.component)) return found;
-  if (wanted.field != "principal_stress") return {};
-  return principal(find(stage, find(stage, "stress") ? "stress" : "stress_nodes"), wanted.component);
+  const std::string ends[] = {prefer_nodes ? "_nodes" : "", prefer_nodes ? "" : "_nodes"};
+  for (const std::string& end : ends)
+    if (auto found = pick(find(stage, wanted.field + end), wanted.component)) return found;
+  if (!follows_from_stress(quantity)) return {};
+  for (const std::string& end : ends)
+    if (auto found = from_stress(find(stage, "stress" + end), quantity)) return found;
+  return {};
+}
+
+double largest_in(const StageResult& stage, const std::string& name) {
+  double largest = 0;
+  for (const FieldResult* field : {find(stage, name), find(stage, name + "_nodes")})
+    if (field)
+      for (const double size : magnitudes(*field)) largest = std::max(largest, std::abs(size));
+  return largest;
+}
+
+// The largest vector or tensor of the field that the quantity is taken from: the measure of its round-off.
+// Strains and stresses end in the round-off of the displacements: what a body of the model's size would have
+// if it were strained by them.
+double whole_field(const PictureSource& source, const std::string& quantity) {
+  const std::string field = meaning(quantity).field;
+  double largest = largest_in(source.stage, field);
+  const bool stress = follows_from_stress(quantity) || field == "stress";
+  if (stress) largest = std::max(largest, largest_in(source.stage, "stress"));
+  const double strain = largest_in(source.stage, "displacement") / source.model.length;
+  double modulus = 0;
+  for (const auto& material : source.model.materials)
+    if (material) modulus = std::max(modulus, material->plane_modulus());
+  if (stress) return std::max(largest, modulus * strain);
+  return field == "strain" ? std::max(largest, strain) : largest;
 }
 
 std::vector<double> averaged_corners(const mesh::Mesh& mesh, const std::vector<int>& groups,
@@ -148,6 +193,38 @@ void find_extremes(const mesh::Mesh& mesh, const Series& series, DrawnField& fie
   field.greatest_at = place(greatest);
 }
 
+// Where the field's area lies between `low` and `high`: the share of each of `bins` equal steps. Values are
+// spread evenly over each triangle about its cell's middle.
+std::vector<double> area_by_value(const mesh::Mesh& mesh, const DrawnField& field, int bins) {
+  std::vector<double> rise(bins + 1);  // differences between neighbours: a triangle touches two
+  double total = 0;
+  const auto bin = [&](double value) {
+    const double t = std::clamp((value - field.low) / (field.high - field.low), 0.0, 1.0);
+    return std::min(bins - 1, static_cast<int>(t * bins));
+  };
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto ring = mesh.cell_points[cell];
+    const double* value = field.corners.data() + mesh.cell_points.offsets()[cell];
+    const double middle = std::accumulate(value, value + ring.size(), 0.0) / static_cast<double>(ring.size());
+    Point center;
+    for (const Index p : ring) center = center + (1.0 / static_cast<double>(ring.size())) * mesh.points[p];
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const std::size_t next = (i + 1) % ring.size();
+      const double area =
+          std::abs(geometry::cross(mesh.points[ring[i]] - center, mesh.points[ring[next]] - center));
+      const auto [least, most] = std::minmax({middle, value[i], value[next]});
+      const int first = bin(least), last = bin(most);
+      rise[first] += area / (last - first + 1);
+      rise[last + 1] -= area / (last - first + 1);
+      total += area;
+    }
+  }
+  rise.pop_back();
+  std::partial_sum(rise.begin(), rise.end(), rise.begin());
+  for (double& share : rise) share /= total;
+  return rise;
+}
+
 // Stresses peak without bound at corners and tips; a scale that follows the peak shows nothing else.
 void find_range(const mesh::Mesh& mesh, DrawnField& field) {
   constexpr int bins = 2000;
@@ -156,27 +233,12 @@ void find_range(const mesh::Mesh& mesh, DrawnField& field) {
   field.high = field.greatest;
   // A second look inside the first one's range: the bins are too coarse when the peak is far out.
   for (int look = 0; look < 2 && field.high > field.low; ++look) {
-    std::vector<double> area(bins);
-    double total = 0;
-    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-      const auto ring = mesh.cell_points[cell];
-      double twice = 0, value = 0;
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point origin = mesh.points[ring[0]];
-        twice +=
-            geometry::cross(mesh.points[ring[i]] - origin, mesh.points[ring[(i + 1) % ring.size()]] - origin);
-        value += field.corners[mesh.cell_points.offsets()[cell] + i];
-      }
-      value /= static_cast<double>(ring.size());
-      const double t = std::clamp((value - field.low) / (field.high - field.low), 0.0, 1.0);
-      area[std::min(bins - 1, static_cast<int>(t * bins))] += twice;
-      total += twice;
-    }
+    const std::vector<double> share = area_by_value(mesh, field, bins);
     const double width = (field.high - field.low) / bins;
     int first = 0, last = bins - 1;
-    for (double sum = area[0]; first < last && sum < outermost * total; sum += area[++first]) {
+    for (double sum = share[0]; first < last && sum < outermost; sum += share[++first]) {
     }
-    for (double sum = area[last]; last > first && sum < outermost * total; sum += area[--last]) {
+    for (double sum = share[last]; last > first && sum < outermost; sum += share[--last]) {
     }
     const double low = field.low;
     field.low = low + first * width;
@@ -187,6 +249,15 @@ void find_range(const mesh::Mesh& mesh, DrawnField& field) {
     field.low = field.least;
     field.high = field.greatest;
   }
+}
+
+// Round-off is told from values by the whole field's size.
+void find_kind(DrawnField& field) {
+  const double noise = roundoff * field.whole;
+  for (double* extreme : {&field.least, &field.greatest})
+    if (std::abs(*extreme) <= noise) *extreme = 0;
+  if (field.greatest - field.least > noise) return;
+  field.kind = field.least == 0 && field.greatest == 0 ? DrawnField::Kind::zero : DrawnField::Kind::uniform;
 }
 
 }  // namespace
@@ -227,22 +298,21 @@ std::optional<DrawnField> drawn_field(const PictureSource& source, const std::st
   if (!std::all_of(found->values.begin(), found->values.end(), [](double v) { return std::isfinite(v); }))
     return {};
   find_extremes(mesh, *found, field);
+  field.whole = whole_field(source, quantity);
+  find_kind(field);
   find_range(mesh, field);
   return field;
 }
 
 std::vector<std::string> quantities_of(const StageResult& stage, const std::string& word) {
+  if (word == "stress") return {"sxx", "syy", "sxy", "szz"};
+  if (word == "principal_stress") return {"s1", "s3"};
   if (word == "displacement") return {word};
   const FieldResult* field = find(stage, word);
   if (!field) field = find(stage, word + "_nodes");
   if (!field || field->width == 1) return {word};
   std::vector<std::string> words;
-  for (const std::string& component : field->components) {
-    if (word == "stress" || word == "principal_stress")
-      words.push_back("s" + component);
-    else
-      words.push_back(word + "." + component);
-  }
+  for (const std::string& component : field->components) words.push_back(word + "." + component);
   return words;
 }
 

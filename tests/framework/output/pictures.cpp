@@ -170,8 +170,8 @@ TEST(pictures, the_default_set_is_made) {
   const auto pictures = chosen_pictures(sample.scene, sample.model, sample.result);
   std::vector<std::string> names;
   for (const Picture& picture : pictures) names.push_back(picture.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"mesh", "deformed", "displacement", "ux", "uy", "syy", "s1",
-                                             "s3", "joint_fault"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"mesh", "deformed", "displacement", "ux", "uy", "sxx", "syy",
+                                             "sxy", "s1", "s3", "joint_fault"}));
   for (const Picture& picture : pictures) {
     const std::string png = png_bytes(picture);
     EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n") << picture.name;

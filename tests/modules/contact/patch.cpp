@@ -87,5 +87,22 @@ TEST(contact_patch, opens_and_closes_without_a_cycle) {
   EXPECT_EQ(results_of(term, state).closed, 13);
 }
 
+// The right halves of two cells above and two below share their points: the crack ends at (1, 0).
+TEST(contact_results, a_welded_tip_is_told_and_its_half_edge_is_no_contact_length) {
+  mesh::Mesh mesh =
+      test::hand_mesh({{0, -1}, {1, -1}, {2, -1}, {0, 0}, {1, 0}, {2, 0}, {0, 0}, {0, 1}, {1, 1}, {2, 1}},
+                      {{0, 1, 4, 3}, {1, 2, 5, 4}, {6, 4, 8, 7}, {4, 5, 9, 8}});
+  mesh.joints.push_back({"bed", {"upper", "lower"}, {test::lip(mesh, {6, 4}), test::lip(mesh, {3, 4})}});
+  const model::Model model = test::plain_model(std::move(mesh));
+  const ContactTerm term = test::paper_contact(model, 100, 0);
+  const model::JointResult crack = results_of(term, test::state_for(model, term));
+  ASSERT_EQ(crack.rows.size(), 1u);
+  ASSERT_EQ(crack.tips.size(), 1u);
+  EXPECT_EQ(crack.tips[0].s, 1);
+  EXPECT_EQ(crack.tips[0].at.x, 1);
+  EXPECT_EQ(crack.length, 1);
+  EXPECT_EQ(crack.contact_length, 0.5);
+}
+
 }  // namespace
 }  // namespace ashlar::contact
