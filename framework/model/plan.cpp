@@ -1,6 +1,7 @@
 #include "model/plan.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace ashlar::model {
 
@@ -26,14 +27,22 @@ const core::Value* said_at(const Settings& settings, const std::string& path) {
   return entry->object ? said_at(*entry->object, path.substr(dot + 1)) : nullptr;
 }
 
-const core::Value* calls(const core::EffectEntry& effect, const Scene& scene, const StageData& stage) {
+/// Where the scene says what calls for an effect: "stage.KEY", "scene.KEY", or "material.LAW" in a region.
+std::optional<core::Place> calls(const core::EffectEntry& effect, const Scene& scene,
+                                 const StageData& stage) {
   for (const std::string& path : effect.called_by) {
     const auto dot = path.find('.');
     if (dot == std::string::npos) continue;
-    const Settings& owner = path.substr(0, dot) == "stage" ? stage.settings : scene.root;
-    if (const core::Value* value = said_at(owner, path.substr(dot + 1))) return value;
+    const std::string owner = path.substr(0, dot), rest = path.substr(dot + 1);
+    if (owner == "material") {
+      const auto region = std::ranges::find_if(
+          scene.regions, [&](const RegionData& each) { return each.material.name == rest; });
+      if (region != scene.regions.end()) return region->material.place;
+    } else if (const core::Value* value = said_at(owner == "stage" ? stage.settings : scene.root, rest)) {
+      return value->place;
+    }
   }
-  return nullptr;
+  return {};
 }
 
 }  // namespace
@@ -44,8 +53,8 @@ Plan make_plan(const Scene& scene, const core::Registry& registry) {
     StagePlan& planned = plan.stages.emplace_back();
     planned.stage = stage.name;
     for (const core::EffectEntry& effect : registry.effects())
-      if (const core::Value* value = calls(effect, scene, stage))
-        planned.calls.push_back({effect.name, effect.module, value->place, effect.nonlinear});
+      if (const auto place = calls(effect, scene, stage))
+        planned.calls.push_back({effect.name, effect.module, *place, effect.nonlinear});
   }
   for (const core::EffectEntry& effect : registry.effects()) {
     const bool called = std::any_of(plan.stages.begin(), plan.stages.end(), [&](const StagePlan& stage) {

@@ -35,6 +35,12 @@ void add_solid_results(const model::Model& model, const Layout& layout, const st
                        std::span<const double> u, std::span<const double> history,
                        model::StageResult& result);
 
+/// Named in the plan where a region's law yields; the forces are those of Elasticity.
+class Plasticity final : public model::Effect {
+ public:
+  void contribute(const model::StageContext&, model::Terms&) override {}
+};
+
 class Elasticity final : public model::Effect {
  public:
   void contribute(const model::StageContext& context, model::Terms& terms) override;

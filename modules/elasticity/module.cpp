@@ -68,6 +68,10 @@ ASHLAR_MODULE(registry) {
                           return make_vem(registry, settings, order, mistakes);
                         }));
   registry.add_make("element", "fem", std::function<model::MakeElement>(make_fem));
+  // Yielding is the laws' own part of the solid's terms.
+  registry.add_make("effect", "plasticity", std::function<model::MakeEffect>([](core::Registry&) {
+                      return std::make_unique<Plasticity>();
+                    }));
   registry.add_make("effect", "elasticity", std::function<model::MakeEffect>([](core::Registry&) {
                       return std::make_unique<Elasticity>();
                     }));

@@ -124,13 +124,14 @@ return {
     { name = "elasticity", called_by = { "scene.geometry" }, nonlinear = false,
       doc = "Linear elastic equilibrium of all regions, small displacements.",
       left_out = "Elasticity: without it nothing carries load." },
-    -- No scene calls for these yet: the plan lists them as left out.
+    -- No scene calls for this yet: the plan lists it as left out.
     { name = "inertia", called_by = {}, nonlinear = false,
       doc = "Forces of acceleration.",
       left_out = "Inertia: it matters when loads change within a few natural periods, as in earthquakes." },
-    { name = "plasticity", called_by = {}, nonlinear = true,
-      doc = "Yielding and cracking of the solid.",
+    { name = "plasticity", called_by = { "material.mohr_coulomb", "material.drucker_prager" }, nonlinear = true,
+      doc = "Yielding of the solid, as the laws of its regions say.",
       left_out = "Yielding and cracking of the solid: they matter where stresses near the strength, as at re-entrant corners and joint tips; stresses there grow without bound as the mesh is refined." },
+    -- No scene calls for this yet: the plan lists it as left out.
     { name = "large_displacement", called_by = {}, nonlinear = true,
       doc = "Equilibrium on the deformed shape.",
       left_out = "Large displacement: it matters when rotations exceed about 1 %, or slender parts may buckle." },
