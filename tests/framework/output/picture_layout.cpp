@@ -17,9 +17,9 @@ using geometry::Point;
 using model::FieldResult;
 
 /// The sample's mesh stretched to a body of this size; its joint and values go with it.
-Sample stretched(double width, double height) {
+Sample stretched(double width, double height, double from = 0) {
   Sample sample = make_sample(1);
-  for (Point& p : sample.model.mesh.points) p = {p.x * width / 25, p.y * height / 15};
+  for (Point& p : sample.model.mesh.points) p = {from + p.x * width / 25, from + p.y * height / 15};
   sample.model.length = std::hypot(width, height);
   return sample;
 }
@@ -41,7 +41,7 @@ void expect_tidy(const Picture& picture, const std::string& which) {
 TEST(layout, texts_keep_apart_on_bodies_of_any_shape_and_size) {
   struct Shape {
     const char* name;
-    double width, height;
+    double width, height, from = 0;
   };
   for (const Shape& shape : {Shape{"square", 10, 10},
                              {"wide", 100, 10},
@@ -51,8 +51,9 @@ TEST(layout, texts_keep_apart_on_bodies_of_any_shape_and_size) {
                              {"tiny", 1e-3, 6e-4},
                              {"small", 0.2, 0.1},
                              {"huge", 1e4, 3e3},
-                             {"country", 4e5, 9e4}}) {
-    const Sample sample = stretched(shape.width, shape.height);
+                             {"country", 4e5, 9e4},
+                             {"surveyed", 11, 60, 4561230}}) {
+    const Sample sample = stretched(shape.width, shape.height, shape.from);
     for (const Picture& picture : chosen_pictures(sample.scene, sample.model, sample.result))
       expect_tidy(picture, shape.name);
   }
@@ -118,13 +119,18 @@ TEST(roundoff, extremes_within_it_are_zero) {
 }
 
 TEST(range, few_cells_are_spread_over_their_corners) {
-  Sample sample = make_sample(1);
-  FieldResult& u = sample.result.stages[1].fields[0];
-  for (std::size_t p = 0; p < sample.model.mesh.points.size(); ++p)
-    u.values[2 * p] = sample.model.mesh.points[p].x;
-  const auto field = drawn_field({sample.scene, sample.model, sample.result.stages[1]}, "ux");
-  EXPECT_EQ(field->low, field->least);
-  EXPECT_EQ(field->high, field->greatest);
+  Sample sample;
+  mesh::Mesh& mesh = sample.model.mesh;
+  mesh.points = {{0, 0}, {20, 0}, {40, 0}, {0, 8}, {20, 8}, {40, 8}};
+  for (const auto& ring : {std::vector<mesh::Index>{0, 1, 4, 3}, {1, 2, 5, 4}}) mesh.cell_points.append(ring);
+  mesh.cell_region = {0, 0};
+  mesh.regions = {"beam"};
+  model::StageResult stage;
+  stage.fields = {{"displacement", "m", FieldResult::On::points, 2, {"x", "y"}, {}}};
+  for (const Point& p : mesh.points) stage.fields[0].values.insert(stage.fields[0].values.end(), {p.x, p.y});
+  const auto field = drawn_field({sample.scene, sample.model, stage}, "ux");
+  EXPECT_EQ(field->low, 0);
+  EXPECT_EQ(field->high, 40);
 }
 
 std::vector<std::string> names_of(const Sample& sample) {
