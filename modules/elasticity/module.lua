@@ -122,7 +122,7 @@ return {
   },
   effects = {
     { name = "elasticity", called_by = { "scene.geometry" }, nonlinear = false,
-      doc = "Linear elastic equilibrium of all regions, small displacements.",
+      doc = "Equilibrium of all regions by the laws of their materials, small displacements.",
       left_out = "Elasticity: without it nothing carries load." },
     -- No scene calls for this yet: the plan lists it as left out.
     { name = "inertia", called_by = {}, nonlinear = false,
