@@ -1,6 +1,9 @@
 -- Cantilever of two quadrilaterals under an end moment: what does a distorted mesh cost?
 local u = units
 local distortion = param { "distortion", default = 0, doc = "2d/b: how far the inner edge leans, from 0 to 3" }
+local order = param { "order", default = 1, doc = "order of the element, 1 to 3" }
+local kind = param { "element", default = "vem", choices = { "vem", "fem", "incompatible" }, doc = "virtual or finite element" }
+local elements = { vem = element.vem {}, fem = element.fem {}, incompatible = element.fem { incompatible = true } }
 
 local length, depth = 40*u.m, 8*u.m
 local moment = 16*u.MN*u.m
@@ -17,7 +20,7 @@ return Scene {
     right = Polygon { {foot,0}, {length,0}, {length,depth}, {head,depth}, material = stuff },
   },
   mesh = mesh.structured { cells = {1,1} },
-  element = "vem",
+  element = elements[kind], order = order,
   supports = {   -- only what pure bending leaves at rest
     ["left.wall"] = "x",
     corner = Support { at = {0,0}, fix = "y" },

@@ -48,7 +48,8 @@ std::string settings_of(const core::Table& run) {
   const core::Value* set = run.find("set");
   if (!set || !set->table()) return text;
   for (const auto& [key, value] : set->table()->entries)
-    text += " --set " + key + "=" + output::shortest(value.quantity()->value);
+    text += " --set " + key + "=" +
+            (value.text() ? "'\"" + *value.text() + "\"'" : output::shortest(value.quantity()->value));
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "geometry/polygon.hpp"
 #include "support/scene_run.hpp"
@@ -61,6 +62,48 @@ Errors errors(const std::string& mesh, int cells) {
   }
   return {1 / std::sqrt(run.model.mesh.cell_count()), std::sqrt(sum.displacement), std::sqrt(sum.stress)};
 }
+
+/// Root mean square error of displacements and of recovered stresses at the mesh points.
+Errors errors_at_points(const std::string& mesh, const std::string& order, int cells) {
+  const SceneRun run =
+      run_scene(std::filesystem::path(ASHLAR_SOURCE_DIR) / "tests" / "convergence" / "scenes" / "smooth.lua",
+                {{"mesh", mesh}, {"cells", std::to_string(cells)}, {"order", order}});
+  const model::FieldResult& u = field(run, "displacement");
+  const model::FieldResult& s = field(run, "stress_nodes");
+  Errors sum;
+  for (std::size_t p = 0; p < run.model.mesh.points.size(); ++p) {
+    const Point at = run.model.mesh.points[p], exact = displacement(at);
+    sum.displacement += std::pow(u.values[2 * p] - exact.x, 2) + std::pow(u.values[2 * p + 1] - exact.y, 2);
+    const auto there = stress(at);
+    for (std::size_t k = 0; k < 3; ++k)
+      sum.stress += std::pow(s.values[static_cast<std::size_t>(s.width) * p + k] - there[k], 2);
+  }
+  const auto points = static_cast<double>(run.model.mesh.points.size());
+  return {1 / std::sqrt(run.model.mesh.cell_count()), std::sqrt(sum.displacement / points),
+          std::sqrt(sum.stress / points)};
+}
+
+class HigherOrder : public testing::TestWithParam<std::tuple<const char*, int>> {};
+
+TEST_P(HigherOrder, converges_at_the_points_at_least_as_theory_says) {
+  const auto [mesh, order] = GetParam();
+  const Errors coarse = errors_at_points(mesh, std::to_string(order), 400),
+               fine = errors_at_points(mesh, std::to_string(order), 3600);
+  const double refined = std::log(coarse.h / fine.h);
+  const double of_displacement = std::log(coarse.displacement / fine.displacement) / refined;
+  const double of_stress = std::log(coarse.stress / fine.stress) / refined;
+  std::printf("%s, order %d: order %.2f of displacements, %.2f of stresses at points\n", mesh, order,
+              of_displacement, of_stress);
+  EXPECT_GT(of_displacement, order + 0.9);
+  EXPECT_GT(of_stress, order - 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, HigherOrder,
+                         testing::Combine(testing::Values("voronoi", "structured"), testing::Values(2, 3)),
+                         [](const auto& info) {
+                           return std::string(std::get<0>(info.param)) +
+                                  std::to_string(std::get<1>(info.param));
+                         });
 
 class SmoothField : public testing::TestWithParam<const char*> {};
 

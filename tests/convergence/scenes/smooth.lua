@@ -1,12 +1,14 @@
 -- A block whose sides follow a smooth field in equilibrium without body forces:
 --   u = grad(e^x sin y) + pure bending.
 local u = units
-local kind  = param { "mesh", default = "voronoi", choices = { "voronoi", "quads" }, doc = "shape of cells" }
+local kind  = param { "mesh", default = "voronoi", choices = { "voronoi", "quads", "structured" }, doc = "shape of cells" }
 local cells = param { "cells", default = 200, doc = "number of cells" }
+local order = param { "order", default = 1, doc = "order of the element" }
 local nu = 0.3
 local stuff = material.elastic { E = 1*u.GPa, nu = nu }
 local meshes = {
   voronoi = mesh.voronoi { cells = cells, seed = 5 },
+  structured = mesh.structured { size = cells^-0.5 },
   quads   = mesh.gmsh { cells = "quads", size = cells^-0.5 },
 }
 
@@ -19,8 +21,8 @@ return Scene {
   plane = "strain",
   geometry = { block = Polygon { {0,0,"bottom"}, {1,0,"right"}, {1,1,"top"}, {0,1,"left"}, material = stuff } },
   mesh = meshes[kind],
-  element = "vem",
+  element = "vem", order = order,
   supports = { ["block.bottom"] = led, ["block.right"] = led, ["block.top"] = led, ["block.left"] = led },
   stages = { Stage { "led" } },
-  outputs = { fields = { "displacement", "stress" } },
+  outputs = { fields = { "displacement", "stress", "stress_nodes" } },
 }
