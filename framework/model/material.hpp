@@ -42,6 +42,11 @@ class Material {
       const = 0;  ///< E' = E/(1−ν²) in plane strain, E in plane stress [Pa]: scales penalties
 };
 
+/// Two laws that stresses may be smoothed across.
+inline bool same_stiffness(const Material& a, const Material& b) {
+  return &a == &b || (a.shear_modulus() == b.shear_modulus() && a.plane_modulus() == b.plane_modulus());
+}
+
 /// A module registers a law as kind "material" with this signature. Mistakes that depend on the plane (ν =
 /// 0.5 in plane strain) go to `mistakes` with the parameter's place; the result is then null.
 using MakeMaterial = std::shared_ptr<const Material>(const core::Settings& settings, Plane plane,

@@ -21,9 +21,6 @@ struct StepReport {
   std::vector<model::Iteration> iterations;
 };
 
-/// Index of the displacement in the state: added first.
-constexpr fields::State::Id displacement = 0;
-
 /// Brings the trial state to equilibrium. Linear stages take one solve (and one of refinement if its backward
 /// error asks for it); nonlinear terms are iterated with Newton's method.
 StepReport advance(Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,

@@ -8,9 +8,6 @@ namespace ashlar::solve {
 
 namespace {
 
-/// The displacement is the state's first array.
-constexpr fields::State::Id displacement = 0;
-
 /// Groups of dofs as groups of free unknowns (-1: held).
 algebra::Adjacency to_unknowns(const algebra::Adjacency& groups, const model::Constraints& constraints) {
   std::vector<Index> offsets(groups.offsets().begin(), groups.offsets().end());
@@ -43,6 +40,7 @@ Bulk::Bulk(const model::Model& model, BulkTerms terms, const model::Constraints&
   order(model, constraints);
   core::ledger().add_unknowns("factor", "", constraints.unknowns());
   if (!linear()) {
+    constant_ = matrix_.value;
     report_.done = true;
     return;
   }
@@ -97,19 +95,17 @@ void Bulk::factor() {
 }
 
 void Bulk::linearise(fields::State& state) {
-  algebra::SymmetricMatrix tangent = matrix_;
-  if (!terms_.symmetric()) tangent.upper = tangent.value;
   {
     const auto timing = core::ledger().time("assemble");
+    matrix_.value = constant_;
+    if (!terms_.symmetric()) matrix_.upper = constant_;
     for (std::size_t t = 0; t < terms_.nonlinear.size(); ++t) {
       const auto term_timing = core::ledger().time("assemble", terms_.nonlinear[t]->effect());
-      terms_.nonlinear[t]->add_tangent(state, maps_[t], tangent.value, tangent.upper);
+      terms_.nonlinear[t]->add_tangent(state, maps_[t], matrix_.value, matrix_.upper);
     }
-    norm_ = algebra::infinity_norm(tangent);
+    norm_ = algebra::infinity_norm(matrix_);
   }
-  std::swap(matrix_, tangent);
   factor();
-  std::swap(matrix_, tangent);
 }
 
 void Bulk::add_internal_force(fields::State& state, std::span<double> force) const {

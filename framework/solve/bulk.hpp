@@ -13,6 +13,9 @@ namespace ashlar::solve {
 
 using mesh::Index;
 
+/// Index of the displacement in the state: added first.
+constexpr fields::State::Id displacement = 0;
+
 struct BulkTerms {
   std::vector<std::shared_ptr<const model::Stiffness>> stiffness;
   std::vector<std::shared_ptr<const model::Nonlinear>> nonlinear;
@@ -60,7 +63,8 @@ class Bulk {
   std::vector<Index> touched_, kept_;
   std::unique_ptr<algebra::LinearSolver> solver_;
   algebra::FactorReport report_;
-  algebra::SymmetricMatrix matrix_;        ///< of the constant terms
+  algebra::SymmetricMatrix matrix_;        ///< the last that was factored; gone once constant terms are
+  std::vector<double> constant_;           ///< values of the constant terms, beside nonlinear ones
   std::vector<algebra::ScatterMap> maps_;  ///< of the nonlinear terms
   double norm_ = 0;
   std::size_t bytes_ = 0;

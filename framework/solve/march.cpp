@@ -106,8 +106,13 @@ class March {
   std::unique_ptr<algebra::LinearSolver> make_solver(bool symmetric) const {
     const core::Settings& settings = in_.scene.solver;
     if (symmetric) return in_.registry.make<algebra::MakeSolver>("solver", settings.name)(settings);
-    const std::string name = in_.registry.names("unsymmetric_solver").front();
-    return in_.registry.make<algebra::MakeSolver>("unsymmetric_solver", name)({});
+    const std::vector<std::string> names = in_.registry.names("unsymmetric_solver");
+    if (names.empty())
+      throw core::InputError(
+          core::Mistake{in_.scene.solver.place,
+                        "a law's tangent is not symmetric, and no module provides a solver for such",
+                        "take associated flow, or see that the modules folder is complete"});
+    return in_.registry.make<algebra::MakeSolver>("unsymmetric_solver", names.front())({});
   }
 
   model::StageResult run_stage(std::size_t s) {

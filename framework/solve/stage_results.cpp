@@ -76,10 +76,6 @@ std::vector<Index> regions_at(const mesh::Mesh& mesh, Index point) {
   return regions;
 }
 
-bool same_stiffness(const model::Material& a, const model::Material& b) {
-  return a.shear_modulus() == b.shear_modulus() && a.plane_modulus() == b.plane_modulus();
-}
-
 /// "stress" asks for the nodal field too, which bears the word with "_nodes".
 bool asked_for(const model::ProbeData& probe, const std::string& field) {
   return std::ranges::any_of(

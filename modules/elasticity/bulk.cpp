@@ -123,12 +123,11 @@ void add_solid_results(const Model& model, const Layout& layout, const std::set<
 
 void Elasticity::contribute(const model::StageContext& context, model::Terms& terms) {
   if (!bulk_ && !yielding_) {
-    Layout layout(context.model);
-    if (layout.linear)
+    if (std::ranges::all_of(context.model.materials, [](const auto& law) { return law->linear(); }))
       bulk_ = std::make_shared<Bulk>(context.model, wanted_fields(context.scene));
     else
-      yielding_ = std::make_shared<Yielding>(context.model, std::move(layout), wanted_fields(context.scene),
-                                             context.state);
+      yielding_ = std::make_shared<Yielding>(context.model, Layout(context.model),
+                                             wanted_fields(context.scene), context.state);
     if (yielding_ && context.model.element->stabilised())
       core::log().warning(
           "cells that yield keep the stabilisation of the elastic law: near collapse they carry too much. "

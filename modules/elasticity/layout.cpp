@@ -13,7 +13,6 @@ Layout::Layout(const model::Model& model) : point{0}, history{0} {
     const model::Material& law = model.material(cell);
     point.push_back(point.back() + points);
     history.push_back(history.back() + points * static_cast<std::size_t>(law.internal_variables()));
-    linear = linear && law.linear();
     symmetric = symmetric && law.symmetric();
   }
 }

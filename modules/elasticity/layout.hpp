@@ -23,8 +23,7 @@ struct Layout {
   mesh::Adjacency dofs;              ///< of each cell, in the element's order
   std::vector<std::size_t> point;    ///< integration points of cell c: point[c] … point[c+1]
   std::vector<std::size_t> history;  ///< internal variables of cell c begin at history[c], point by point
-  bool linear = true;                ///< every law is
-  bool symmetric = true;
+  bool symmetric = true;             ///< every law's tangent is
 };
 
 }  // namespace ashlar::elasticity

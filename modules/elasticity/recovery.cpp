@@ -63,10 +63,6 @@ CellStresses cell_stresses(const Model& model, const Layout& layout, std::span<c
 
 namespace {
 
-bool same_stiffness(const model::Material& a, const model::Material& b) {
-  return &a == &b || (a.shear_modulus() == b.shear_modulus() && a.plane_modulus() == b.plane_modulus());
-}
-
 /// Value at `at` of the best linear fit; false if the samples are too few or nearly on one line.
 bool fit_linear(std::span<const Sample> samples, Point at, Stress& value) {
   if (samples.size() < 3) return false;

@@ -29,7 +29,7 @@ class Umfpack final : public algebra::LinearSolver {
   std::size_t bytes() const override;
 
  private:
-  /// An entry of the whole matrix: `place` in the interior's values, or a block of its own.
+  /// Sorts the entries into A_ii and the three blocks of the kept unknowns.
   void scatter(const algebra::SymmetricMatrix& matrix);
   void add_entry(Index row, Index column, double value, std::vector<Index>& next);
   void make_schur();

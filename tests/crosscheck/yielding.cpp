@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,11 +32,11 @@ TEST_P(Yields, at_the_uniaxial_strength_with_the_flow_of_its_dilation) {
                                  {"order", GetParam().order},
                                  {"dilation", std::string(GetParam().dilation) + "*units.deg"}});
   const model::StageResult& stage = run.stage("press");
-  for (const auto& [support, force] : stage.balance.reactions)
-    if (support == "soil.top") {
-      EXPECT_NEAR(force.y, -strength, 1e-8 * strength);
-      EXPECT_NEAR(force.moment, -0.5 * strength, 1e-8 * strength);
-    }
+  const auto top = std::ranges::find_if(stage.balance.reactions,
+                                        [](const auto& reaction) { return reaction.first == "soil.top"; });
+  ASSERT_NE(top, stage.balance.reactions.end());
+  EXPECT_NEAR(top->second.y, -strength, 1e-8 * strength);
+  EXPECT_NEAR(top->second.moment, -0.5 * strength, 1e-8 * strength);
   const double plastic = way - (1 - nu * nu) / e * strength;
   const double wide = nu * (1 + nu) / e * strength + plastic * (1 + std::sin(psi)) / (1 - std::sin(psi));
   EXPECT_NEAR(run.value("press", "corner", "ux"), wide, 1e-7 * wide);
@@ -69,7 +70,7 @@ TEST(Yielding, a_load_beyond_the_strength_stops_with_what_was_reached) {
 
 class Footing : public testing::TestWithParam<const char*> {};
 
-TEST_P(Footing, newton_converges_quadratically_and_cuts_its_steps) {
+TEST_P(Footing, newton_converges_quadratically) {
   const SceneRun run = run_scene(scene("footing"), {{"order", GetParam()}});
   const model::StageResult& stage = run.stage("push");
   ASSERT_GT(stage.iterations.size(), 3u);
