@@ -20,8 +20,7 @@ std::string why(const core::Settings& settings, const core::Settings& root, cons
 void tell_parts(const Scenario& scenario, const model::Model& model) {
   const model::Scene& scene = scenario.scene;
   const fields::Field& field = model.dofs.field();
-  std::cout << scene.title << " (plane " << (scene.plane == model::Plane::strain ? "strain" : "stress")
-            << ")\n"
+  std::cout << scene.title << " (" << model::words(scene.plane) << ")\n"
             << "  mesh     " << scene.mesh.name << ": " << model.mesh.cell_count() << " cells, "
             << model.mesh.point_count() << " points\n"
             << "  element  " << scene.element.name << " of order " << scene.order << ", "

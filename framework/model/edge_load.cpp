@@ -43,15 +43,17 @@ void add_traction(const Model& model, Index edge, const EdgeTraction& traction, 
   const double length = geometry::distance(start, end);
   const Point outward = (-1 / length) * geometry::left_of(end - start);
   const std::vector<Index> dofs = edge_dofs(model, edge);
-  const geometry::Rule& rule = geometry::gauss_legendre(traction.degree + model.element->order());
+  const geometry::Rule& rule =
+      geometry::gauss_legendre(traction.degree + model.element->order() + (model.axisymmetric() ? 1 : 0));
   const std::vector<double> cuts = pieces(start, end, traction.kinks);
   std::vector<double> shape(dofs.size());
   for (std::size_t piece = 0; piece + 1 < cuts.size(); ++piece) {
     const double width = cuts[piece + 1] - cuts[piece];
     for (std::size_t g = 0; g < rule.at.size(); ++g) {
       const double t = cuts[piece] + width * rule.at[g];
-      const Point value = traction.at((1 - t) * start + t * end, outward);
-      const double weight = rule.weight[g] * width * length * model.thickness;
+      const Point at = (1 - t) * start + t * end;
+      const Point value = traction.at(at, outward);
+      const double weight = rule.weight[g] * width * length * model.depth(at);
       model.element->edge_shape(t, shape);
       for (std::size_t node = 0; node < dofs.size(); ++node) {
         force[dofs[node]] += weight * shape[node] * value.x;

@@ -8,6 +8,7 @@
 // elements).
 
 #include <memory>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,7 +30,13 @@ struct NodeCounts {
 struct Cell {
   std::span<const Point> corners;  ///< counter-clockwise
   double thickness = 1;            ///< [m]
+  bool axisymmetric = false;       ///< turned about x = 0; then `thickness` is 1
 };
+
+/// What an area stands for out of the plane [m]: the thickness, or the way around the axis.
+inline double depth(double thickness, bool axisymmetric, Point at) {
+  return axisymmetric ? 2 * std::numbers::pi * at.x : thickness;
+}
 
 /// The integration points of one cell. Kept by the caller from cell to cell, so that nothing is allocated.
 class IntegrationPoints {
@@ -44,7 +51,7 @@ class IntegrationPoints {
   }
   Voigt strain(int q, std::span<const double> u) const;
 
-  std::vector<double> weight;  ///< ∫ over the cell and its thickness ≈ Σ weight[q] f(at[q]) [m³]
+  std::vector<double> weight;  ///< ∫ over the cell and its depth ≈ Σ weight[q] f(at[q]) [m³]
   std::vector<Point> at;
 
  private:
@@ -100,9 +107,16 @@ class Element {
   virtual void rigid_values(const Cell& /*cell*/, std::span<RigidValue> /*values*/) const {}
 };
 
-/// A module registers an element as kind "element" with this signature; `order` comes from the scene.
-using MakeElement = std::shared_ptr<const Element>(const core::Settings& settings, int order,
-                                                   core::Mistakes& mistakes);
+/// What a scene asks of its element besides its settings.
+struct ElementRequest {
+  int order = 1;
+  Plane plane = Plane::strain;
+  bool yielding = false;  ///< some law is nonlinear
+};
+
+/// A module registers an element as kind "element" with this signature.
+using MakeElement = std::shared_ptr<const Element>(const core::Settings& settings,
+                                                   const ElementRequest& request, core::Mistakes& mistakes);
 
 /// packed += w Bᵀ D B of one integration point.
 void add_tangent(const IntegrationPoints& points, int q, const Tangent& tangent, std::span<double> packed);

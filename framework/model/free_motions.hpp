@@ -7,13 +7,18 @@
 
 #include "core/error.hpp"
 #include "geometry/point.hpp"
+#include "model/material.hpp"
 
 namespace ashlar::model {
 
 class FreeMotions {
  public:
   /// `origin` is a point of the body and `length` its size [m]: they scale rotations against slides.
-  FreeMotions(geometry::Point origin, double length) : origin_(origin), length_(length) {}
+  FreeMotions(geometry::Point origin, double length, Plane plane = Plane::strain)
+      : origin_(origin), length_(length) {
+    // A body of revolution can only slide along its axis.
+    if (plane == Plane::axisymmetric) held_ = Eigen::Vector3d(1, 0, 1).asDiagonal();
+  }
 
   /// Component 0 (x) or 1 (y) of the displacement at a point is held.
   void hold(geometry::Point at, int component);

@@ -12,7 +12,19 @@
 
 namespace ashlar::model {
 
-enum class Plane { strain, stress };
+/// What stands for the third direction. Axisymmetric scenes turn about x = 0: x is the radius, y the axis,
+/// and zz the direction around; laws are then those of plane strain with ε_zz = u_x/x given.
+enum class Plane { strain, stress, axisymmetric };
+
+/// "plane strain", "plane stress", "axisymmetric".
+inline const char* words(Plane plane) {
+  return plane == Plane::strain ? "plane strain" : plane == Plane::stress ? "plane stress" : "axisymmetric";
+}
+
+/// The plane that a law is made for.
+constexpr Plane law_plane(Plane plane) {
+  return plane == Plane::stress ? Plane::stress : Plane::strain;
+}
 
 using Voigt = std::array<double, 4>;     ///< (xx, yy, xy, zz)
 using Tangent = std::array<double, 16>;  ///< row by row, ∂σ_i/∂ε_j [Pa]

@@ -24,6 +24,11 @@ struct Model {
   fields::DofMap dofs;  ///< of the displacement
   double length = 1;    ///< diagonal of the bounding box [m]
 
+  bool axisymmetric() const { return plane == Plane::axisymmetric; }
+  /// One cell as its element sees it.
+  Cell cell(std::span<const Point> corners) const { return {corners, thickness, axisymmetric()}; }
+  /// What an area stands for out of the plane at a place [m].
+  double depth(Point at) const { return model::depth(thickness, axisymmetric(), at); }
   const Material& material(Index cell) const { return *materials[mesh.cell_region[cell]]; }
 };
 

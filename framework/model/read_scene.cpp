@@ -214,8 +214,13 @@ Scene read_scene(const core::Value& value, core::Registry& registry, Mistakes& m
   scene.root = core::check(without_ends(value, registry), schema, registry, mistakes);
   Settings& root = scene.root;
   scene.title = root.text("title");
-  scene.plane = root.text("plane") == "stress" ? Plane::stress : Plane::strain;
+  const std::string plane = root.text("plane");
+  scene.plane = plane == "stress"         ? Plane::stress
+                : plane == "axisymmetric" ? Plane::axisymmetric
+                                          : Plane::strain;
   scene.thickness = root.number("thickness", 1);
+  if (scene.plane == Plane::axisymmetric && root.said("thickness"))
+    mistakes.add(root.place_of("thickness"), "a body of revolution has no thickness", "leave it out");
   scene.order = static_cast<int>(root.number("order", 1));
   if (root.entry("mesh").object) scene.mesh = root.object("mesh");
   scene.element = chosen("element", root, registry, mistakes);

@@ -205,8 +205,11 @@ Schema scene() {
           "Scene",
           "The whole scenario: what a script returns.",
           {parameter("title", Form::text, "one line that says what it is") | required(),
-           parameter("plane", Form::text, "plane strain or plane stress") | required() |
-               one_of({"strain", "stress"}),
+           parameter(
+               "plane", Form::text,
+               "plane strain, plane stress, or a body of revolution about x = 0 whose half section this is: "
+               "x is its radius, y its axis, zz the direction around; forces are those of the whole body") |
+               required() | one_of({"strain", "stress", "axisymmetric"}),
            parameter("thickness", Form::number, "out of plane; forces are for this thickness") | in_metres() |
                otherwise(make_value(1.0)) | within(positive),
            parameter("geometry", Form::map, "the regions, by name") | required() |

@@ -78,7 +78,8 @@ std::optional<std::array<Point, 2>> clip(Point a, Point b, const std::array<Poin
 
 class Holder {
  public:
-  Holder(const mesh::Domain& domain) : domain_(domain), body_(bodies_of(domain)) {}
+  Holder(const mesh::Domain& domain, Plane plane)
+      : domain_(domain), plane_(plane), body_(bodies_of(domain)) {}
 
   std::set<Index> bodies() const { return {body_.begin(), body_.end()}; }
 
@@ -93,7 +94,7 @@ class Holder {
 
   /// "slide in x and rotate about (3, 0)"; empty if the supports hold the body.
   std::string free_motions(Index body, const std::vector<SupportData>& supports) const {
-    FreeMotions motions(domain_.points.front(), domain_.length);
+    FreeMotions motions(domain_.points.front(), domain_.length, plane_);
     for (const SupportData& support : supports)
       for (const Point p : points_of(support, body))
         for (int c = 0; c < 2; ++c)
@@ -152,13 +153,26 @@ class Holder {
   }
 
   const mesh::Domain& domain_;
+  Plane plane_;
   std::vector<Index> body_;
 };
+
+/// A half section lies on one side of the axis of revolution.
+void check_axis(const mesh::Domain& domain, const core::Place& place, core::Mistakes& mistakes) {
+  double least = 0;
+  for (const Point p : domain.points) least = std::min(least, p.x);
+  if (least < -1e-9 * domain.length)
+    mistakes.add(place,
+                 "the geometry reaches x = " + core::format_quantity(least, {1, 0, 0}) +
+                     ", across the axis of revolution x = 0",
+                 "draw the half section with x >= 0, x being the radius");
+}
 
 }  // namespace
 
 void check_places(const Scene& scene, const mesh::Domain& domain, core::Mistakes& mistakes) {
   if (!drawn(scene)) return;
+  if (scene.plane == Plane::axisymmetric) check_axis(domain, scene.root.place_of("plane"), mistakes);
   for (const ProbeData& probe : scene.probes) check_place(domain, probe.at, probe.place, mistakes);
   for (const StageData& stage : scene.stages)
     for (const SupportData& support : stage.supports)
@@ -167,7 +181,7 @@ void check_places(const Scene& scene, const mesh::Domain& domain, core::Mistakes
 
 void check_support(const Scene& scene, const mesh::Domain& domain, core::Mistakes& mistakes) {
   if (!drawn(scene)) return;
-  const Holder holder(domain);
+  const Holder holder(domain, scene.plane);
   for (const Index body : holder.bodies())
     for (const StageData& stage : scene.stages) {
       const std::string motions = holder.free_motions(body, stage.supports);

@@ -131,8 +131,7 @@ Picture drive_picture(const model::Drive& drive, const DriveResult& result) {
   constexpr double title = 34;
   return {"drive", title + page_height(stresses) + page_height(path),
           [&drive, stresses, path](Canvas& canvas) {
-            draw_title(canvas, drive.title,
-                       drive.law + ", plane " + (drive.plane == model::Plane::strain ? "strain" : "stress"));
+            draw_title(canvas, drive.title, drive.law + ", " + model::words(drive.plane));
             draw_chart(canvas, stresses, title);
             draw_chart(canvas, path, title + page_height(stresses));
           }};

@@ -227,7 +227,7 @@ std::string store_bytes(const RunRecord& record, const std::string& date) {
   attribute(root, "format", std::string("ashlar results"));
   attribute(root, "format_version", store_format_version);
   attribute(root, "title", record.scene.title);
-  attribute(root, "plane", std::string(record.scene.plane == model::Plane::strain ? "strain" : "stress"));
+  attribute(root, "plane", record.scene.root.text("plane"));
   attribute(root, "thickness", record.scene.thickness);
   attribute(root, "converged", record.result.converged ? 1 : 0);
   write_mesh(file, record.model.mesh);

@@ -86,7 +86,7 @@ void check_cells(const model::Model& model, const model::Scene& scene, core::Mis
   std::vector<geometry::Point> corners;
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
     model.mesh.corners(cell, corners);
-    const std::string why = model.element->refuses({corners, model.thickness});
+    const std::string why = model.element->refuses(model.cell(corners));
     if (why.empty()) continue;
     const geometry::Point at = geometry::centroid(corners);
     mistakes.add(scene.element.place,
@@ -133,7 +133,7 @@ std::vector<std::shared_ptr<const model::Material>> build_materials(const model:
       continue;
     }
     const auto make = registry.make<model::MakeMaterial>("material", region.material.name);
-    materials.push_back(make(region.material, scene.plane, mistakes));
+    materials.push_back(make(region.material, model::law_plane(scene.plane), mistakes));
   }
   return materials;
 }
@@ -143,8 +143,10 @@ model::Model build_model(const model::Scene& scene, core::Registry& registry, co
   built.plane = scene.plane;
   built.thickness = scene.thickness;
   built.materials = build_materials(scene, registry, mistakes);
-  built.element =
-      registry.make<model::MakeElement>("element", scene.element.name)(scene.element, scene.order, mistakes);
+  const bool yielding =
+      std::ranges::any_of(built.materials, [](const auto& law) { return law && !law->linear(); });
+  built.element = registry.make<model::MakeElement>("element", scene.element.name)(
+      scene.element, {scene.order, scene.plane, yielding}, mistakes);
   const mesh::Domain domain = build_domain(scene, mistakes);
   if (!mistakes.empty()) return built;
 
@@ -156,6 +158,14 @@ model::Model build_model(const model::Scene& scene, core::Registry& registry, co
     if (!mistakes.empty()) return built;
     built.mesh = mesh::build_mesh(std::move(raw), domain);
   }
+  if (built.axisymmetric())
+    for (const geometry::Point p : built.mesh.points)
+      if (p.x < -1e-9 * domain.length) {
+        mistakes.add(scene.mesh.place, "the mesh crosses the axis of revolution x = 0",
+                     "an axisymmetric mesh is a half section with x >= 0");
+        break;
+      }
+  if (!mistakes.empty()) return built;
   check_cells(built, scene, mistakes);
   const model::NodeCounts nodes = built.element->nodes();
   built.dofs =

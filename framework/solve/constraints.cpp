@@ -93,6 +93,19 @@ struct Hold {
   }
 };
 
+/// Nothing on the axis of revolution moves off it. No support bears that: `support` stays -1.
+void hold_axis(const model::Model& model, model::Constraints& constraints) {
+  const auto hold_x = [&](Index dof) {
+    if (!constraints.held[dof]) constraints.held[dof] = constraints.at_value[dof] = 1;
+  };
+  const auto on_axis = [&](Index p) { return std::abs(model.mesh.points[p].x) <= 1e-12 * model.length; };
+  for (Index p = 0; p < model.mesh.point_count(); ++p)
+    if (on_axis(p)) hold_x(model.dofs.of_point(p));
+  for (Index edge = 0; edge < model.mesh.edge_count(); ++edge)
+    if (on_axis(model.mesh.edge_points[edge][0]) && on_axis(model.mesh.edge_points[edge][1]))
+      for (int k = 0; k < model.dofs.field().per_edge; ++k) hold_x(model.dofs.of_edge(edge, k));
+}
+
 }  // namespace
 
 model::Constraints build_constraints(const model::Model& model, const model::StageData& stage,
@@ -123,6 +136,7 @@ model::Constraints build_constraints(const model::Model& model, const model::Sta
         }
     }
   }
+  if (model.axisymmetric()) hold_axis(model, constraints);
   constraints.unknown.assign(size, -1);
   for (Index dof = 0; dof < size; ++dof)
     if (!constraints.held[dof]) {

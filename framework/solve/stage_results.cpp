@@ -29,7 +29,7 @@ std::vector<model::RigidValue> rigid_values(const model::Model& model) {
   std::vector<model::RigidValue> own(static_cast<std::size_t>(model.dofs.field().per_cell));
   for (Index cell = 0; cell < mesh.cell_count() && !own.empty(); ++cell) {
     mesh.corners(cell, corners);
-    model.element->rigid_values({corners, model.thickness}, own);
+    model.element->rigid_values(model.cell(corners), own);
     values.insert(values.end(), own.begin(), own.end());
   }
   return values;
@@ -82,6 +82,14 @@ bool asked_for(const model::ProbeData& probe, const std::string& field) {
       probe.quantities, [&](const std::string& word) { return field == word || field == word + "_nodes"; });
 }
 
+/// Radial forces and their moments cancel around the axis of revolution.
+void keep_axial(model::Balance& sums, model::Resultant& left) {
+  const auto keep = [](model::Resultant& r) { r.x = r.moment = 0; };
+  for (auto& [name, resultant] : sums.loads) keep(resultant);
+  for (auto& [name, resultant] : sums.reactions) keep(resultant);
+  for (model::Resultant* each : {&sums.load, &sums.reaction, &left}) keep(*each);
+}
+
 }  // namespace
 
 model::Balance balance(const model::Model& model, const model::StageData& stage, const StageForces& forces) {
@@ -108,6 +116,7 @@ model::Balance balance(const model::Model& model, const model::StageData& stage,
   double reaction_absolute = 0;
   for (Index dof = 0; dof < model.dofs.size(); ++dof) {
     if (!forces.constraints.held[dof]) continue;
+    if (forces.constraints.support[dof] < 0) continue;  // the axis of revolution
     const double reaction = forces.out_of_balance[dof];
     add(reactions[forces.constraints.support[dof]], nodal_force(rigid, dof, reaction, {}));
     add(left, nodal_force(rigid, dof, reaction, inside));
@@ -119,6 +128,7 @@ model::Balance balance(const model::Model& model, const model::StageData& stage,
     add(sums.reaction, each);
     sums.reactions.emplace_back(stage.supports[s].name, each);
   }
+  if (model.axisymmetric()) keep_axial(sums, left);
   const double scale = std::max({absolute, reaction_absolute, forces.round_off_scale, 1e-300});
   sums.relative_error = std::max(std::hypot(left.x, left.y), std::abs(left.moment) / model.length) / scale;
   return sums;

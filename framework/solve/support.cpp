@@ -26,7 +26,7 @@ std::vector<Body> find_bodies(const model::Model& model, const model::Constraint
   for (Index cell = mesh.cell_count(); cell-- > 0;) first[body_of[cell]] = cell;
   std::vector<Body> bodies;
   for (const Index cell : first)
-    bodies.push_back({{mesh.points[mesh.cell_points[cell][0]], model.length}, cell, {}, false});
+    bodies.push_back({{mesh.points[mesh.cell_points[cell][0]], model.length, model.plane}, cell, {}, false});
   for (const auto& joint : mesh.joints)
     for (const auto& lip : joint.lips)
       for (const auto& edge : lip) bodies[body_of[edge.cell]].jointed = true;

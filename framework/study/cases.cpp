@@ -29,7 +29,7 @@ std::string set_text(const core::Value& value) {
 std::string series_label(const Case& one, const std::vector<std::string>& but) {
   std::string text;
   for (const Setting& setting : one.settings)
-    if (std::ranges::find(but, setting.key) == but.end())
+    if (setting.differs && std::ranges::find(but, setting.key) == but.end())
       text += (text.empty() ? "" : ", ") + setting.key + " = " + shown(setting.value);
   return text;
 }

@@ -109,6 +109,20 @@ void read_cases(const Settings& root, std::vector<Case>& cases, Mistakes& mistak
   }
 }
 
+void mark_constants(std::vector<Case>& cases) {
+  if (cases.size() < 2) return;
+  for (Setting& first : cases.front().settings) {
+    const auto same = [&](const Case& one) {
+      const Value* value = find(one, first.key);
+      return value && set_text(*value) == set_text(first.value);
+    };
+    if (!std::ranges::all_of(cases, same)) continue;
+    const std::string key = first.key;
+    for (Case& one : cases)
+      for (Setting& setting : one.settings) setting.differs = setting.differs && setting.key != key;
+  }
+}
+
 /// A reference's unit is checked here: its dimension follows from the quantity, not from the schema.
 Value without_units(const Value& study, Mistakes& mistakes) {
   const core::Table* root = study.table();
@@ -229,6 +243,7 @@ Study read_study(const Value& value, const core::Registry& registry, Mistakes& m
     found.add(root.place_of("scene"), "there is no file '" + root.text("scene") + "' in the study's folder");
   study.cases = read_vary(root, found);
   read_cases(root, study.cases, found);
+  mark_constants(study.cases);
   study.measures = read_measures(root, found);
   if (found.empty()) read_roles(root, study, found);
   if (root.has("repeats")) study.repeats = root.integer("repeats");

@@ -13,7 +13,8 @@ namespace ashlar::study {
 /// One parameter of the scene in one case.
 struct Setting {
   std::string key;
-  core::Value value;  ///< number with its unit, text or boolean; knows its place in the study
+  core::Value value;    ///< number with its unit, text or boolean; knows its place in the study
+  bool differs = true;  ///< false: the same in all cases, which labels do not repeat
 };
 
 struct Case {

@@ -40,7 +40,7 @@ void ContactTerm::add_row(std::size_t joint, std::size_t point, bool closed, std
   if (closed) {
     const double pressure = parts.enforcement->pressure(now.gap, p).value;
     const double shear = parts.friction->shear(now.slip, pressure).value;
-    const double area = p.weight * model_.thickness;
+    const double area = p.weight * model_.depth(p.at);
     row.pressure = pressure * p.weight / p.length;
     result.normal_force += pressure * area;
     const Point force = area * (pressure * p.normal - shear * p.tangent);  // on the slave

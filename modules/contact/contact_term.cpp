@@ -78,7 +78,7 @@ void ContactTerm::add_point(std::size_t joint, std::size_t point, std::span<cons
   const Pressure pressure = parts.enforcement->pressure(now.gap, p);
   const Shear shear = parts.friction->shear(now.slip, pressure.value);
   const Eigen::Vector2d n(p.normal.x, p.normal.y), s(p.tangent.x, p.tangent.y);
-  const double area = p.weight * model_.thickness;
+  const double area = p.weight * model_.depth(p.at);
   const Eigen::Vector2d traction = area * (shear.value * s - pressure.value * n);
   const Eigen::Matrix2d slope = area * (shear.by_slip * s * s.transpose() +
                                         pressure.by_gap * (shear.by_pressure * s - n) * n.transpose());

@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "algebra/assemble.hpp"
-#include "core/log.hpp"
 #include "elasticity/cell_access.hpp"
 #include "elasticity/recovery.hpp"
 #include "model/results.hpp"
@@ -128,11 +127,6 @@ void Elasticity::contribute(const model::StageContext& context, model::Terms& te
     else
       yielding_ = std::make_shared<Yielding>(context.model, Layout(context.model),
                                              wanted_fields(context.scene), context.state);
-    if (yielding_ && context.model.element->stabilised())
-      core::log().warning(
-          "cells that yield keep the stabilisation of the elastic law: near collapse they carry too much. "
-          "Compare "
-          "with finer cells, or with element = \"fem\", order = 2, which needs no stabilisation");
   }
   if (bulk_)
     terms.stiffness.push_back(bulk_);

@@ -15,7 +15,7 @@ void with_cell(const model::Model& model, Index index, Use&& use) {
   const auto points = model.mesh.cell_points[index];
   Scratch<Point> corners(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) corners[i] = model.mesh.points[points[i]];
-  use(model::Cell{{corners.data(), corners.size()}, model.thickness});
+  use(model.cell({corners.data(), corners.size()}));
 }
 
 inline Scratch<double, 64> gather(std::span<const Index> dofs, std::span<const double> u) {

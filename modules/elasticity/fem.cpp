@@ -144,9 +144,12 @@ void FiniteElement::integrate(const Cell& cell, IntegrationPoints& points) const
     const Sample& sample = all[static_cast<std::size_t>(q)];
     const Jacobian j = jacobian(cell.corners, sample.r, sample.s);
     const Shapes shapes = shapes_at(n, sample.r, sample.s, order_, incompatible_);
-    points.weight[static_cast<std::size_t>(q)] = sample.weight * j.determinant() * cell.thickness;
-    points.at[static_cast<std::size_t>(q)] = place(cell.corners, sample.r, sample.s);
-    const std::span<double> xx = points.row(q, 0), yy = points.row(q, 1), xy = points.row(q, 2);
+    const Point at = place(cell.corners, sample.r, sample.s);
+    points.weight[static_cast<std::size_t>(q)] =
+        sample.weight * j.determinant() * model::depth(cell.thickness, cell.axisymmetric, at);
+    points.at[static_cast<std::size_t>(q)] = at;
+    const std::span<double> xx = points.row(q, 0), yy = points.row(q, 1), xy = points.row(q, 2),
+                            zz = points.row(q, 3);
     for (std::size_t i = 0; i < shapes.size; ++i) {
       const Shape& shape = shapes.of[i];
       Point g = j.global(shape.r, shape.s);
@@ -154,6 +157,7 @@ void FiniteElement::integrate(const Cell& cell, IntegrationPoints& points) const
       if (i >= compatible) g = centre.determinant() / j.determinant() * centre.global(shape.r, shape.s);
       xx[2 * i] = xy[2 * i + 1] = g.x;
       yy[2 * i + 1] = xy[2 * i] = g.y;
+      if (cell.axisymmetric) zz[2 * i] = shape.n / at.x;
     }
   }
 }
@@ -162,8 +166,9 @@ void FiniteElement::integrate(const Cell& cell, IntegrationPoints& points) const
 void FiniteElement::add_body_force(const Cell& cell, Point b, std::span<double> force) const {
   const std::size_t n = cell.corners.size();
   for (const Sample& sample : samples(n, order_)) {
-    const double w =
-        sample.weight * jacobian(cell.corners, sample.r, sample.s).determinant() * cell.thickness;
+    const Point at = place(cell.corners, sample.r, sample.s);
+    const double w = sample.weight * jacobian(cell.corners, sample.r, sample.s).determinant() *
+                     model::depth(cell.thickness, cell.axisymmetric, at);
     const Shapes shapes = shapes_at(n, sample.r, sample.s, order_, false);
     for (std::size_t i = 0; i < shapes.size; ++i) {
       force[2 * i] += w * shapes.of[i].n * b.x;

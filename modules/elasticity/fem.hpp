@@ -5,6 +5,8 @@
 // Beresford, Wilson, Int. J. Numer. Methods Engrg. 10 (1976), with derivatives taken at the centre so that
 // the patch test holds; the modes 1 − r², 1 − s² are the cell's own nodes.
 //
+// Around an axis, ε_zz = Σ N_i u_xi / x at each point.
+//
 //   ε = Σ B_i u_i,  B_i from ∂N_i/∂x = J⁻ᵀ ∂N_i/∂r,  x = Σ corners L_i(r) x_i, L_i linear or bilinear
 
 #include "model/element.hpp"

@@ -42,8 +42,9 @@ return {
     { kind = "element", name = "vem", constructor = "element.vem", usual = true,
       doc = "Virtual element of order 1 to 3: any simple polygon, non-convex or with hanging nodes.",
       parameters = {
-        { key = "stabilisation", forms = { "object" }, kind = "stabilisation", default = "bending", numerical = true,
-          doc = "How deformation that the linear projection does not see is stiffened." },
+        { key = "stabilisation", forms = { "object" }, kind = "stabilisation", numerical = true,
+          doc = "How deformation that the projected strains do not see is stiffened. Left out: bending, or none " ..
+                "where a law yields." },
       } },
     { kind = "element", name = "fem", constructor = "element.fem",
       doc = "Finite elements for comparison: triangles of 3 or 6 nodes, quadrilaterals of 4 or 8; order 1 or 2.",
@@ -53,6 +54,9 @@ return {
       } },
     { kind = "stabilisation", name = "bending", constructor = "stabilisation.bending",
       doc = "As stiff as the cell against bending: parallelograms of any aspect bend exactly.",
+      parameters = {} },
+    { kind = "stabilisation", name = "none", constructor = "stabilisation.none",
+      doc = "Strains of a higher degree see every deformation; the law is asked at more points. For laws that yield.",
       parameters = {} },
     { kind = "stabilisation", name = "shear", constructor = "stabilisation.shear",
       doc = "factor times the shear modulus, the same in all directions.",

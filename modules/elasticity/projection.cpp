@@ -1,63 +1,11 @@
 #include "elasticity/projection.hpp"
 
-#include <array>
 #include <cassert>
 #include <cmath>
 
 #include "geometry/polygon.hpp"
 
 namespace ashlar::elasticity {
-
-namespace {
-
-constexpr double s5 = 0.44721359549995793928;  // 1/√5
-constexpr std::array<double, 3> at_2 = {0, 0.5, 1}, weight_2 = {1.0 / 6, 4.0 / 6, 1.0 / 6};
-constexpr std::array<double, 4> at_3 = {0, (1 - s5) / 2, (1 + s5) / 2, 1},
-                                weight_3 = {1.0 / 12, 5.0 / 12, 5.0 / 12, 1.0 / 12};
-
-/// Powers (p, q) of monomial m: 1, ξ, η, ξ², ξη, η² …
-struct Powers {
-  int p, q;
-};
-constexpr std::array<Powers, 10> powers = {
-    {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3}}};
-
-constexpr int number_of(int p, int q) {
-  return (p + q) * (p + q + 1) / 2 + q;
-}
-
-double value(int m, Point xi) {
-  double v = 1;
-  for (int i = 0; i < powers[m].p; ++i) v *= xi.x;
-  for (int i = 0; i < powers[m].q; ++i) v *= xi.y;
-  return v;
-}
-
-}  // namespace
-
-EdgeRule edge_rule(int order) {
-  assert(order == 2 || order == 3);
-  if (order == 2) return {at_2, weight_2};
-  return {at_3, weight_3};
-}
-
-Frame::Frame(std::span<const Point> corners)
-    : area(geometry::signed_area(corners)), centre(geometry::centroid(corners)) {
-  const std::vector<double> moments = geometry::monomial_integrals(corners, centre, 2);
-  xx = std::sqrt(moments[3] / area);
-  yx = moments[4] / area / xx;
-  yy = std::sqrt(std::max(moments[5] / area - yx * yx, 1e-16 * moments[5] / area));
-}
-
-Point Frame::to_local(Point x) const {
-  const Point d = x - centre;
-  const double xi = d.x / xx;
-  return {xi, (d.y - yx * xi) / yy};
-}
-
-Point Frame::to_global(Point xi) const {
-  return centre + Point{xx * xi.x, yx * xi.x + yy * xi.y};
-}
 
 Projection::Projection(std::span<const Point> corners, int order) : frame(corners), order_(order) {
   std::vector<Point> local(corners.size());
@@ -66,7 +14,7 @@ Projection::Projection(std::span<const Point> corners, int order) : frame(corner
   mass_.resize(monomials(order), monomials(order - 1));
   for (int a = 0; a < mass_.rows(); ++a)
     for (int b = 0; b < mass_.cols(); ++b) {
-      const int p = powers[a].p + powers[b].p, q = powers[a].q + powers[b].q;
+      const int p = powers_of(a).p + powers_of(b).p, q = powers_of(a).q + powers_of(b).q;
       mass_(a, b) = p + q <= 2 * order - 2 ? integrals[number_of(p, q)] / integrals[0] : 0;
     }
   factor_ = mass_.topRows(monomials(order - 1)).llt().matrixL();
@@ -87,7 +35,7 @@ void Projection::project_gradient(std::span<const Point> local, std::span<const 
       const Point xi = (1 - rule.at[g]) * local[i] + rule.at[g] * local[j];
       const double w = rule.weight[g] / frame.area;
       for (int b = 0; b < size; ++b) {
-        const double m = w * value(b, xi);
+        const double m = w * monomial(b, xi);
         x(b, dof) += m * edge.y;
         y(b, dof) -= m * edge.x;
       }
@@ -95,7 +43,7 @@ void Projection::project_gradient(std::span<const Point> local, std::span<const 
   }
   // ∂_x = 1/L_xx ∂_ξ − L_yx/(L_xx L_yy) ∂_η, ∂_y = 1/L_yy ∂_η; the mean of v m_γ is a dof.
   for (int b = 1; b < size; ++b) {
-    const auto [p, q] = powers[b];
+    const auto [p, q] = powers_of(b);
     if (p > 0) x(b, moments + number_of(p - 1, q)) -= p / frame.xx;
     if (q > 0) {
       x(b, moments + number_of(p, q - 1)) += q * frame.yx / (frame.xx * frame.yy);
@@ -113,7 +61,7 @@ void Projection::project_dofs(std::span<const Point> local) {
   for (int i = 0; i < n; ++i)
     for (int g = 0; g < k; ++g) {
       const Point xi = (1 - rule.at[g]) * local[i] + rule.at[g] * local[(i + 1) % n];
-      for (int a = 0; a < size; ++a) dofs(g == 0 ? i : n + i * (k - 1) + g - 1, a) = value(a, xi);
+      for (int a = 0; a < size; ++a) dofs(g == 0 ? i : n + i * (k - 1) + g - 1, a) = monomial(a, xi);
     }
   for (int c = 0; c < monomials(k - 2); ++c)
     for (int a = 0; a < size; ++a) dofs(n * k + c, a) = mass_(a, c);
@@ -124,7 +72,7 @@ void Projection::project_dofs(std::span<const Point> local) {
 
 Eigen::VectorXd Projection::orthonormal(Point xi) const {
   Eigen::VectorXd values(monomials(order_ - 1));
-  for (int b = 0; b < values.size(); ++b) values[b] = value(b, xi);
+  for (int b = 0; b < values.size(); ++b) values[b] = monomial(b, xi);
   return factor_.triangularView<Eigen::Lower>().solve(values);
 }
 

@@ -6,33 +6,9 @@
 
 #include <Eigen/Dense>
 
-#include "geometry/point.hpp"
+#include "elasticity/polynomials.hpp"
 
 namespace ashlar::elasticity {
-
-using geometry::Point;
-
-/// Inner and outer nodes of the Gauss–Lobatto rule with order + 1 points on [0, 1], and its weights.
-struct EdgeRule {
-  std::span<const double> at, weight;
-};
-EdgeRule edge_rule(int order);
-
-/// Number of monomials of degree ≤ d.
-constexpr int monomials(int d) {
-  return (d + 1) * (d + 2) / 2;
-}
-
-/// ξ = L⁻¹ (x − c).
-struct Frame {
-  explicit Frame(std::span<const Point> corners);
-  Point to_local(Point x) const;
-  Point to_global(Point xi) const;
-
-  double area = 0;
-  Point centre;
-  double xx = 1, yx = 0, yy = 1;  ///< L, lower triangle
-};
 
 class Projection {
  public:

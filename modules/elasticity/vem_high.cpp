@@ -141,30 +141,15 @@ void VemHigh::add_body_force(const Cell& cell, Point b, std::span<double> force)
 }
 
 void VemHigh::edge_shape(double t, std::span<double> values) const {
-  const EdgeRule rule = edge_rule(order_);
-  const auto lagrange = [&](std::size_t i) {
-    double v = 1;
-    for (std::size_t j = 0; j < rule.at.size(); ++j)
-      if (j != i) v *= (t - rule.at[j]) / (rule.at[i] - rule.at[j]);
-    return v;
-  };
-  const std::size_t last = rule.at.size() - 1;
-  values[0] = lagrange(0);
-  values[1] = lagrange(last);
-  for (std::size_t i = 1; i < last; ++i) values[i + 1] = lagrange(i);
+  virtual_edge_shape(order_, t, values);
 }
 
 double VemHigh::edge_node(int node) const {
   return edge_rule(order_).at[static_cast<std::size_t>(node) + 1];
 }
 
-// The mean of (a + θ × x) m_α: x = c + L ξ, and in ξ the second moments are 1.
 void VemHigh::rigid_values(const Cell& cell, std::span<model::RigidValue> values) const {
-  const Frame frame(cell.corners);
-  values[0] = {1, frame.centre};
-  if (order_ == 2) return;
-  values[1] = {0, {frame.xx, frame.yx}};
-  values[2] = {0, {0, frame.yy}};
+  virtual_rigid_values(cell.corners, order_, values);
 }
 
 }  // namespace ashlar::elasticity

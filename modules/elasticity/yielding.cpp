@@ -4,41 +4,34 @@
 #include <cassert>
 
 #include "algebra/assemble.hpp"
+#include "core/parallel.hpp"
 #include "elasticity/bulk.hpp"
 #include "elasticity/cell_access.hpp"
 
 namespace ashlar::elasticity {
 
+/// One cell at the trial state. Kept from cell to cell.
+struct CellNow {
+  const CellOperators* operators = nullptr;
+  std::vector<model::Response> response;
+};
+
 namespace {
 
 constexpr fields::State::Id displacement = 0;
 
-/// One cell at the trial state: its points, and what the law says there. Kept from cell to cell.
-struct CellNow {
-  model::IntegrationPoints points;
-  std::vector<model::Response> response;
-  std::vector<double> stabilisation;
-};
+/// Operators of all cells are kept up to this size: they cost more time to make than all else in a cell.
+constexpr std::size_t most_bytes = std::size_t{512} << 20;
 
-CellNow& scratch() {
-  thread_local CellNow now;
-  return now;
-}
-
-/// Asks the law at every point of a cell. `trial` receives the cell's internal variables.
-void ask(const model::Model& model, Index index, std::span<const double> u, std::span<const double> committed,
-         std::span<double> trial, CellNow& now) {
-  const model::Material& law = model.material(index);
-  const auto own = static_cast<std::size_t>(law.internal_variables());
+void make_operators(const model::Model& model, Index index, CellOperators& made) {
   with_cell(model, index, [&](const model::Cell& cell) {
-    model.element->integrate(cell, now.points);
-    now.stabilisation.assign(u.size() * (u.size() + 1) / 2, 0.0);
-    model.element->add_stabilisation(cell, law, now.stabilisation);
+    model.element->integrate(cell, made.points);
+    made.rest.clear();
+    if (!model.element->stabilised()) return;
+    const auto n = static_cast<std::size_t>(made.points.dofs());
+    made.rest.assign(n * (n + 1) / 2, 0.0);
+    model.element->add_stabilisation(cell, model.material(index), made.rest);
   });
-  now.response.resize(static_cast<std::size_t>(now.points.size()));
-  for (std::size_t q = 0; q < now.response.size(); ++q)
-    now.response[q] = law.respond(now.points.strain(static_cast<int>(q), u), committed.subspan(q * own, own),
-                                  trial.subspan(q * own, own));
 }
 
 model::Tangent transposed(const model::Tangent& tangent) {
@@ -50,9 +43,10 @@ model::Tangent transposed(const model::Tangent& tangent) {
 
 /// Packed lower triangle of a cell's tangent, or of its transposed.
 void pack(const CellNow& now, bool transpose, std::span<double> packed) {
-  std::copy(now.stabilisation.begin(), now.stabilisation.end(), packed.begin());
+  std::fill(packed.begin(), packed.end(), 0.0);
+  std::ranges::copy(now.operators->rest, packed.begin());
   for (std::size_t q = 0; q < now.response.size(); ++q)
-    model::add_tangent(now.points, static_cast<int>(q),
+    model::add_tangent(now.operators->points, static_cast<int>(q),
                        transpose ? transposed(now.response[q].tangent) : now.response[q].tangent, packed);
 }
 
@@ -73,33 +67,73 @@ Yielding::Yielding(const model::Model& model, Layout layout, std::set<std::strin
       model_(model),
       layout_(std::move(layout)),
       fields_(std::move(fields)),
-      history_(state.add("elasticity.history", layout_.history.back())) {}
+      history_(state.add("elasticity.history", layout_.history.back())) {
+  keep_operators();
+}
+
+void Yielding::keep_operators() {
+  const auto count = static_cast<std::size_t>(model_.mesh.cell_count());
+  std::size_t bytes = 0;
+  for (Index cell = 0; cell < model_.mesh.cell_count(); ++cell) {
+    const auto at = static_cast<std::size_t>(cell);
+    const std::size_t dofs = layout_.dofs[cell].size(), points = layout_.point[at + 1] - layout_.point[at];
+    const std::size_t rest = model_.element->stabilised() ? dofs * (dofs + 1) / 2 : 0;
+    bytes += sizeof(CellOperators) + sizeof(double) * (points * (4 * dofs + 3) + rest);
+  }
+  if (bytes > most_bytes) return;
+  kept_bytes_ = bytes;
+  kept_.resize(count);
+  core::parallel_for(count, 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) make_operators(model_, static_cast<Index>(c), kept_[c]);
+  });
+}
+
+const CellOperators& Yielding::operators(Index cell) const {
+  if (!kept_.empty()) return kept_[static_cast<std::size_t>(cell)];
+  thread_local CellOperators made;
+  make_operators(model_, cell, made);
+  return made;
+}
+
+CellNow& Yielding::ask(Index index, std::span<const double> u, fields::State& state) const {
+  thread_local CellNow now;
+  const model::Material& law = model_.material(index);
+  const auto own = static_cast<std::size_t>(law.internal_variables());
+  const auto committed = layout_.of(index, std::span<const double>(state.committed(history_)));
+  const auto trial = layout_.of(index, state.trial(history_));
+  now.operators = &operators(index);
+  const model::IntegrationPoints& points = now.operators->points;
+  now.response.assign(static_cast<std::size_t>(points.size()), {});
+  for (std::size_t q = 0; q < now.response.size(); ++q) {
+    const auto before = committed.subspan(q * own, own);
+    const auto after = trial.subspan(q * own, own);
+    if (points.weight[q] == 0)
+      std::ranges::copy(before, after.begin());
+    else
+      now.response[q] = law.respond(points.strain(static_cast<int>(q), u), before, after);
+  }
+  return now;
+}
 
 void Yielding::add_internal_force(fields::State& state, std::span<double> force) const {
   const std::span<const double> u = state.trial(displacement);
-  const std::span<const double> committed = state.committed(history_);
-  const std::span<double> trial = state.trial(history_);
   algebra::assemble(layout_.dofs, force, [&](Index index, std::span<double> local_force) {
-    CellNow& now = scratch();
     const Scratch<double, 64> local = gather(layout_.dofs[index], u);
-    ask(model_, index, local, layout_.of(index, committed), layout_.of(index, trial), now);
+    const CellNow& now = ask(index, local, state);
     std::fill(local_force.begin(), local_force.end(), 0.0);
     for (std::size_t q = 0; q < now.response.size(); ++q)
-      model::add_stress(now.points, static_cast<int>(q), now.response[q].stress, local_force);
-    model::add_packed_product(now.stabilisation, local, local_force);
+      model::add_stress(now.operators->points, static_cast<int>(q), now.response[q].stress, local_force);
+    if (!now.operators->rest.empty()) model::add_packed_product(now.operators->rest, local, local_force);
   });
 }
 
 void Yielding::add_tangent(fields::State& state, const algebra::ScatterMap& map, std::span<double> lower,
                            std::span<double> upper) const {
   const std::span<const double> u = state.trial(displacement);
-  const std::span<const double> committed = state.committed(history_);
-  const std::span<double> trial = state.trial(history_);
   const auto add = [&](bool into_upper, std::span<double> target) {
     algebra::assemble(map, target, [&](Index index, std::span<double> packed) {
-      CellNow& now = scratch();
       const Scratch<double, 64> local = gather(layout_.dofs[index], u);
-      ask(model_, index, local, layout_.of(index, committed), layout_.of(index, trial), now);
+      const CellNow& now = ask(index, local, state);
       pack(now, into_upper, packed);
       if (layout_.symmetric) return;
       thread_local std::vector<double> other;
@@ -115,24 +149,21 @@ void Yielding::add_tangent(fields::State& state, const algebra::ScatterMap& map,
 void Yielding::add_tangent_product(fields::State& state, std::span<const double> direction,
                                    std::span<double> force) const {
   const std::span<const double> u = state.trial(displacement);
-  const std::span<const double> committed = state.committed(history_);
-  const std::span<double> trial = state.trial(history_);
   algebra::assemble(layout_.dofs, force, [&](Index index, std::span<double> local_force) {
     std::fill(local_force.begin(), local_force.end(), 0.0);
     const Scratch<double, 64> along = gather(layout_.dofs[index], direction);
     const std::span<const double> d = along;
     if (std::ranges::all_of(d, [](double v) { return v == 0; })) return;
-    CellNow& now = scratch();
     const Scratch<double, 64> local = gather(layout_.dofs[index], u);
-    ask(model_, index, local, layout_.of(index, committed), layout_.of(index, trial), now);
+    const CellNow& now = ask(index, local, state);
     for (std::size_t q = 0; q < now.response.size(); ++q) {
-      const model::Voigt strain = now.points.strain(static_cast<int>(q), d);
+      const model::Voigt strain = now.operators->points.strain(static_cast<int>(q), d);
       model::Voigt stress{};
       for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = 0; j < 4; ++j) stress[i] += now.response[q].tangent[4 * i + j] * strain[j];
-      model::add_stress(now.points, static_cast<int>(q), stress, local_force);
+      model::add_stress(now.operators->points, static_cast<int>(q), stress, local_force);
     }
-    model::add_packed_product(now.stabilisation, d, local_force);
+    if (!now.operators->rest.empty()) model::add_packed_product(now.operators->rest, d, local_force);
   });
 }
 

@@ -26,7 +26,7 @@ std::shared_ptr<const model::Load> self_weight(const model::Model& model, double
     dofs.clear();
     model.dofs.append_cell(mesh, cell, dofs);
     local.assign(dofs.size(), 0.0);
-    model.element->add_body_force({mesh.corners(cell, corners), model.thickness}, {0, -weight}, local);
+    model.element->add_body_force(model.cell(mesh.corners(cell, corners)), {0, -weight}, local);
     for (std::size_t i = 0; i < dofs.size(); ++i) force[dofs[i]] += local[i];
   }
   return std::make_shared<model::ForceVector>("gravity", force);
@@ -46,7 +46,7 @@ void Gravity::check_region(const model::Scene& scene, const model::RegionData& r
   // Mistakes of the law itself are reported by whoever builds the model.
   core::Mistakes others;
   const auto make = registry_.make<model::MakeMaterial>("material", region.material.name);
-  const auto material = make(region.material, scene.plane, others);
+  const auto material = make(region.material, model::law_plane(scene.plane), others);
   if (!material) return;
   if (material->unit_weight(g) < 0)
     mistakes.add(region.material.place,

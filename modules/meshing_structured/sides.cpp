@@ -13,6 +13,7 @@ using mesh::Domain;
 using mesh::Link;
 
 constexpr double corner_turn = 15 * std::numbers::pi / 180;  // twice what chords of an arc turn
+constexpr double straight = 1e-6;                            // round-off of points along a straight side
 constexpr double near_share = 0.3;                           // of a division: nearer points take its place
 
 std::vector<Link> outline(const Domain& domain, Index region) {
@@ -36,7 +37,7 @@ bool is_one_ring(const std::vector<Link>& ring) {
 
 std::vector<std::size_t> corners_of(const std::vector<Link>& ring, const std::vector<Point>& points,
                                     bool& convex) {
-  std::vector<std::size_t> corners;
+  std::vector<std::size_t> corners, bends;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Link& before = ring[(i + ring.size() - 1) % ring.size()];
     const Point a = points[before.end] - points[before.start],
@@ -44,8 +45,10 @@ std::vector<std::size_t> corners_of(const std::vector<Link>& ring, const std::ve
     const double turn = std::atan2(geometry::cross(a, b), geometry::dot(a, b));
     if (turn < -corner_turn) convex = false;
     if (turn > corner_turn) corners.push_back(i);
+    if (turn > straight) bends.push_back(i);
   }
-  return corners;
+  // A quadrilateral of straight sides is one however flat its corners are.
+  return bends.size() == 4 ? bends : corners;
 }
 
 Side side_between(const std::vector<Link>& ring, std::size_t first, std::size_t last,

@@ -49,7 +49,9 @@ std::string settings_of(const core::Table& run) {
   if (!set || !set->table()) return text;
   for (const auto& [key, value] : set->table()->entries)
     text += " --set " + key + "=" +
-            (value.text() ? "'\"" + *value.text() + "\"'" : output::shortest(value.quantity()->value));
+            (value.text()      ? "'\"" + *value.text() + "\"'"
+             : value.boolean() ? std::string(*value.boolean() ? "true" : "false")
+                               : output::shortest(value.quantity()->value));
   return text;
 }
 

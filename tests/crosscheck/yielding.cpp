@@ -15,6 +15,10 @@ std::filesystem::path scene(const std::string& name) {
   return std::filesystem::path(ASHLAR_SOURCE_DIR) / "tests" / "crosscheck" / "scenes" / (name + ".lua");
 }
 
+std::filesystem::path example(const std::string& name) {
+  return std::filesystem::path(ASHLAR_SOURCE_DIR) / "examples" / name;
+}
+
 struct Choice {
   const char *element, *order, *dilation;
 };
@@ -92,6 +96,81 @@ TEST_P(Footing, newton_converges_quadratically) {
 
 INSTANTIATE_TEST_SUITE_P(Orders, Footing, testing::Values("1", "2"),
                          [](const auto& info) { return std::string("order") + info.param; });
+
+struct Tube {
+  const char *plane, *element, *order, *cells;
+  double elastic, yields;  ///< greatest relative errors of the displacements
+};
+
+class ThickTube : public testing::TestWithParam<Tube> {
+ protected:
+  /// Displacements inside and outside over the exact ones, less 1.
+  double error(const std::string& yields, const std::string& pressure, double inside, double outside) const {
+    const Tube& tube = GetParam();
+    const SceneRun run = run_scene(example("thick_tube"), {{"plane", tube.plane},
+                                                           {"element", tube.element},
+                                                           {"order", tube.order},
+                                                           {"cells", tube.cells},
+                                                           {"yields", yields},
+                                                           {"pressure", pressure}});
+    const double a = run.value("pressure", "inside", "ux") / inside - 1;
+    const double b = run.value("pressure", "outside", "ux") / outside - 1;
+    std::printf("%s, %s of order %s, %s, %s: inside %+.1e, outside %+.1e\n", tube.plane, tube.element,
+                tube.order, tube.cells, yields == "true" ? "Hill" : "Lamé", a, b);
+    return std::max(std::abs(a), std::abs(b));
+  }
+};
+
+constexpr double tube_e = 20e9, tube_nu = 0.3;
+
+// Lamé in plane strain, radii 1 and 2 m, p = 10 MPa: u = (1+ν) p a²/(E (b²−a²)) ((1−2ν) r + b²/r).
+TEST_P(ThickTube, deforms_as_lame_says) {
+  const auto u = [](double r) {
+    return (1 + tube_nu) * 10e6 / (tube_e * 3) * ((1 - 2 * tube_nu) * r + 4 / r);
+  };
+  EXPECT_LT(error("false", "10*units.MPa", u(1), u(2)), GetParam().elastic);
+}
+
+// Hill, The Mathematical Theory of Plasticity (1950), ch. V: Tresca with Y = 2c, yielding to the radius ρ.
+//   p = Y (ln ρ/a + (1 − ρ²/b²)/2),   u = (1+ν)(1−2ν) r σ_r/E + (1−ν²) Y ρ²/(E r)
+TEST_P(ThickTube, yields_as_hill_says) {
+  const double y = 20e6, rho = 1.5, p = y * (std::log(rho) + 0.5 * (1 - rho * rho / 4));
+  const auto u = [&](double r, double radial) {
+    return (1 + tube_nu) * (1 - 2 * tube_nu) * r * radial / tube_e +
+           (1 - tube_nu * tube_nu) * y * rho * rho / (tube_e * r);
+  };
+  EXPECT_LT(error("true", std::to_string(p), u(1, -p), u(2, 0)), GetParam().yields);
+}
+
+// In plane strain the circles are drawn with chords of 0.1 m: a polygon's wall is thinner than the ring's.
+INSTANTIATE_TEST_SUITE_P(Tubes, ThickTube,
+                         testing::Values(Tube{"axisymmetric", "vem", "1", "quads", 1e-9, 5e-3},
+                                         Tube{"axisymmetric", "vem", "1", "voronoi", 2e-3, 8e-3},
+                                         Tube{"axisymmetric", "vem", "2", "voronoi", 1e-3, 2e-4},
+                                         Tube{"axisymmetric", "vem", "3", "quads", 1e-4, 5e-5},
+                                         Tube{"axisymmetric", "fem", "2", "quads", 1e-5, 1e-4},
+                                         Tube{"strain", "vem", "1", "voronoi", 5e-3, 2e-2},
+                                         Tube{"strain", "vem", "2", "voronoi", 4e-3, 4e-3}),
+                         [](const auto& info) {
+                           const Tube& tube = info.param;
+                           return std::string(tube.plane) + "_" + tube.element + tube.order + "_" +
+                                  tube.cells;
+                         });
+
+// Prandtl (1920): a strip footing on weightless Tresca soil carries (2 + π) c, from above as these elements
+// find it.
+TEST(Prandtl, a_strip_footing_carries_its_limit_load) {
+  const SceneRun run = run_scene(example("strip_footing"), {{"fine", "0.03*units.m"}});
+  const model::StageResult& stage = run.stage("push");
+  const auto footing = std::ranges::find_if(stage.balance.reactions,
+                                            [](const auto& reaction) { return reaction.first == "footing"; });
+  ASSERT_NE(footing, stage.balance.reactions.end());
+  const double limit = -footing->second.y / 0.5 / 10e3, exact = 2 + std::numbers::pi;
+  std::printf("order 2, %d cells: %.4f c, %+.2f %%\n", run.model.mesh.cell_count(), limit,
+              100 * (limit / exact - 1));
+  EXPECT_GT(limit, exact);
+  EXPECT_LT(limit, 1.02 * exact);
+}
 
 }  // namespace
 }  // namespace ashlar::test

@@ -19,26 +19,45 @@ fail() {
 }
 
 # The tests' sources stay as they are: the module is built from a copy.
-cp -r "$here/lame" "$folder/lame"
+cp -r "$here/degrading" "$folder/degrading"
 {
   "$cmake" --install "$build" --prefix "$prefix"
-  "$cmake" -S "$folder/lame" -B "$folder/lame/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  "$cmake" -S "$folder/degrading" -B "$folder/degrading/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_INSTALL_PREFIX="$prefix"
-  "$cmake" --build "$folder/lame/build"
+  "$cmake" --build "$folder/degrading/build"
 } >"$folder/log" 2>&1 || fail "the module outside the tree was not built: $(tail -n 20 "$folder/log")"
 
 said=$("$ashlar" list)
 [[ $said == *material.elastic* ]] || fail "the installed program does not find its own modules:"
-[[ $said != *material.lame* ]] || fail "the module is there before it was installed:"
+[[ $said != *material.degrading* ]] || fail "the module is there before it was installed:"
 
-said=$(ASHLAR_MODULES=$folder/lame/build/modules "$ashlar" list)
-[[ $said == *material.lame* ]] || fail "ASHLAR_MODULES does not lead to the module:"
+said=$(ASHLAR_MODULES=$folder/degrading/build/modules "$ashlar" list)
+[[ $said == *material.degrading* ]] || fail "ASHLAR_MODULES does not lead to the module:"
 
-"$cmake" --install "$folder/lame/build" >/dev/null
+"$cmake" --install "$folder/degrading/build" >/dev/null
 said=$("$ashlar" list)
-[[ $said == *material.lame* && $said == *material.elastic* ]] || fail "the installed module is not listed:"
+[[ $said == *material.degrading* && $said == *material.elastic* ]] || fail "the installed module is not listed:"
 
 # The library itself is opened: its law takes plane strain and refuses plane stress.
-said=$("$ashlar" check "$folder/lame/scene.lua" 2>&1) || fail "a scene with the installed module does not pass:"
-said=$("$ashlar" check "$folder/lame/scene.lua" --set plane=stress 2>&1) && fail "the module's law was not asked:"
+said=$("$ashlar" check "$folder/degrading/scene.lua" --set plane=stress 2>&1) && fail "the module's law was not asked:"
 [[ $said == *"this law is for plane strain"* ]] || fail "the module's own words are missing:"
+
+# It computes, and the same law written in the scene gives the same settlements.
+settlements() {
+  said=$("$ashlar" run "$folder/degrading/scene.lua" --set law="\"$1\"" --no-files --json "$folder/$1.json" 2>&1) ||
+    fail "the scene with the law '$1' does not run:"
+  grep -oE '"uy": -[0-9][-.e0-9]*' "$folder/$1.json"
+}
+module=$(settlements module)
+lua=$(settlements lua)
+awk -v a="$module" -v b="$lua" 'BEGIN {
+  n = split(a, x, "\n"); m = split(b, y, "\n")
+  if (n != 2 || m != 2) { print "two settlements were expected:", a, b; exit 1 }
+  for (i = 1; i <= n; ++i) {
+    sub(/.*: /, "", x[i]); sub(/.*: /, "", y[i])
+    printf "settlement %s mm by the module, %s mm by the script\n", 1000*x[i], 1000*y[i]
+    if (x[i] >= 0 || (x[i] - y[i])^2 > (1e-6*x[i])^2) exit 1
+  }
+  # Unloading follows the secants.
+  if ((x[2]/x[1] - 0.5)^2 > 1e-6) exit 1
+}' || fail "the module and the script disagree:"

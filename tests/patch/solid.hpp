@@ -26,7 +26,8 @@ class Solid {
                   std::make_shared<elasticity::VemElement>(std::move(stabilisation)))) {}
 
   Solid(mesh::Mesh mesh, const std::shared_ptr<const model::Material>& material,
-        std::shared_ptr<const model::Element> element) {
+        std::shared_ptr<const model::Element> element, model::Plane plane = model::Plane::strain) {
+    model.plane = plane;
     model.mesh = std::move(mesh);
     model.materials.assign(std::max<std::size_t>(1, model.mesh.regions.size()), material);
     model.element = std::move(element);
@@ -82,7 +83,7 @@ class Solid {
     for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
       const auto dofs = layout.dofs[cell];
       force.assign(dofs.size(), 0.0);
-      model.element->add_body_force({model.mesh.corners(cell, corners), model.thickness}, b, force);
+      model.element->add_body_force(model.cell(model.mesh.corners(cell, corners)), b, force);
       for (std::size_t i = 0; i < dofs.size(); ++i) load[dofs[i]] += force[i];
     }
   }

@@ -99,6 +99,13 @@ TEST(structured, grading_is_the_ratio_of_last_to_first) {
   EXPECT_NEAR(mesh.points[nearest_point(mesh, {0, 0.6})].y, 2.0 / 3, 1e-15);
 }
 
+TEST(structured, a_quadrilateral_may_be_as_flat_as_it_likes) {
+  const Domain domain =
+      zoo_domain({region("sliver", polygon({{0, 0}, {39.6, 0}, {0.4, 8}, {0, 8}}, {"", "", "", ""}))});
+  EXPECT_EQ(built(domain, GeneratorSettings().set("cells", numbers({1, 1}))).cell_count(), 1);
+  EXPECT_EQ(built(domain, GeneratorSettings().set("cells", numbers({6, 4}))).cell_count(), 24);
+}
+
 TEST(structured, mapped_sides_may_be_arcs) {
   geo::Shape sector = polygon({{1, 0}, {2, 0}, {0, 2}, {0, 1}}, {"", "outer", "", "inner"});
   sector.rings[0][1].arc = geo::Arc{{0, 0}, true};

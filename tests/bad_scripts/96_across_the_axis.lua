@@ -1,0 +1,13 @@
+-- expect 7: plane: the geometry reaches x = -2 m, across the axis of revolution x = 0
+-- found by check
+local u = units
+local rock = material.elastic { E = 10*u.GPa, nu = 0.3 }
+return Scene {
+  title = "A shaft",
+  plane = "axisymmetric",
+  geometry = { rock = Rectangle { from = {-2,0}, to = {10,5}, material = rock } },
+  mesh = mesh.structured { size = 1 },
+  element = "vem",
+  supports = { ["rock.bottom"] = "y" },
+  stages = { Stage { "load", pressures = { ["rock.top"] = 1*u.kPa } } },
+}
