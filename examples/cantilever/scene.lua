@@ -1,9 +1,10 @@
 -- Cantilever of two quadrilaterals under an end moment: what does a distorted mesh cost?
 local u = units
-local distortion = param { "distortion", default = 0, doc = "2d/b: how far the inner edge leans, from 0 to 3" }
+local distortion = param { "distortion", default = 0, doc = "2d/b: how far the inner edge leans, from 0 to below 5" }
 local order = param { "order", default = 1, doc = "order of the element, 1 to 3" }
 local kind = param { "element", default = "vem", choices = { "vem", "fem", "incompatible" }, doc = "virtual or finite element" }
-local elements = { vem = element.vem {}, fem = element.fem {}, incompatible = element.fem { incompatible = true } }
+local rest = param { "stabilisation", default = "bending", choices = { "bending", "shear", "diagonal", "none" }, doc = "of virtual elements" }
+local elements = { vem = element.vem { stabilisation = rest }, fem = element.fem {}, incompatible = element.fem { incompatible = true } }
 
 local length, depth = 40*u.m, 8*u.m
 local moment = 16*u.MN*u.m

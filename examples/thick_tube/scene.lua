@@ -17,6 +17,22 @@ local section = flat
                 material = wall }
   or Rectangle { from = {1,0}, to = {2,0.5}, names = { "low", "outside", "high", "inside" }, material = wall }
 
+-- Lame's solution, while elastic.
+local q, e = p/u.Pa / 3, E/u.Pa
+local function displacement(x, y)
+  local r = math.sqrt(flat and x^2 + y^2 or x^2)
+  local ur = (1 + nu)*q/e * ((1 - 2*nu)*r + 4/r)
+  return ur * x/r, flat and ur * y/r or 0
+end
+local function stress(x, y)
+  local r = math.sqrt(flat and x^2 + y^2 or x^2)
+  local radial, hoop, along = q*(1 - 4/r^2), q*(1 + 4/r^2), 2*nu*q
+  if not flat then return radial, along, 0, hoop end
+  local c, s = x/r, y/r
+  return radial*c^2 + hoop*s^2, radial*s^2 + hoop*c^2, (radial - hoop)*s*c, along
+end
+local known = not yields and { lame = Exact { displacement = displacement, stress = stress } } or {}
+
 return Scene {
   title = "Thick tube under inner pressure", plane = plane,
   geometry = { wall = section },
@@ -26,6 +42,7 @@ return Scene {
   stages = { Stage { "pressure", pressures = { ["wall.inside"] = p } } },
   outputs = {
     fields = { "displacement", "stress" },
+    exact = known,
     probes = { inside = { "displacement", "stress", at = {1,0} }, outside = { "displacement", "stress", at = {2,0} } },
   },
 }

@@ -69,6 +69,13 @@ struct Extreme {
   Point least_at, greatest_at;
 };
 
+/// Distance from a solution that the scene knows, as an integral over the body.
+struct NormResult {
+  std::string name, quantity, unit;  ///< of the scene's `Exact`; "displacement", "stress", "energy"
+  double error = 0, norm = 0;        ///< ‖found − exact‖ and ‖exact‖
+  double relative() const { return norm > 0 ? error / norm : error; }
+};
+
 /// One row of a stage's iteration table.
 struct Iteration {
   int step = 1, number = 1;
@@ -88,6 +95,7 @@ struct StageResult {
   Balance balance;
   std::vector<Iteration> iterations;
   std::vector<Extreme> extremes;
+  std::vector<NormResult> norms;
   bool factored = true;  ///< false: the previous factorisation served
   Index unknowns = 0, kept = 0;
   std::string solver;         ///< what the solver said of its factorisation

@@ -90,6 +90,14 @@ Json extremes(const model::StageResult& stage) {
   return json;
 }
 
+Json norms(const model::StageResult& stage) {
+  Json json = object();
+  for (const model::NormResult& norm : stage.norms)
+    json[norm.name][norm.quantity] = {
+        {"error", norm.error}, {"norm", norm.norm}, {"relative", norm.relative()}, {"unit", norm.unit}};
+  return json;
+}
+
 Json stage_json(const model::StageResult& stage) {
   Json json = {{"name", stage.name}, {"converged", stage.converged}};
   json["effects"] = stage.effects;
@@ -103,6 +111,7 @@ Json stage_json(const model::StageResult& stage) {
   json["joints"] = joints(stage);
   json["balance"] = balance(stage.balance);
   json["extremes"] = extremes(stage);
+  if (!stage.norms.empty()) json["norms"] = norms(stage);
   json["solve"] = {{"unknowns", stage.unknowns},
                    {"kept", stage.kept},
                    {"factored", stage.factored},

@@ -96,11 +96,12 @@ std::string mesh_text(const mesh::MeshReport& report, const model::Model& model)
   return "Mesh\n" + aligned(rows, 2);
 }
 
-std::string balance_text(const model::RunResult& result) {
+std::string balance_text(const model::RunResult& result, model::Plane plane) {
   if (result.good().empty()) return {};
   Rows rows = {{"", "x", "y", "moment about (0, 0)"}};
   for (const model::StageResult& stage : result.good()) add_balance(stage, rows);
-  return "Loads and reactions (on the modelled thickness)\n" + aligned(rows);
+  const char* whole = plane == model::Plane::axisymmetric ? "of the whole body" : "on the modelled thickness";
+  return "Loads and reactions (" + std::string(whole) + ")\n" + aligned(rows);
 }
 
 std::string extremes_text(const model::RunResult& result) {
@@ -164,6 +165,15 @@ std::string probes_text(const model::RunResult& result) {
     if (std::all_of(rows.begin() + 1, rows.end(), [&](const auto& row) { return row[column].empty(); }))
       for (auto& row : rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
   return "Probes\n" + aligned(rows, 2);
+}
+
+std::string norms_text(const model::RunResult& result) {
+  Rows rows = {{"", "stage", "of", "error", "relative"}};
+  for (const model::StageResult& stage : result.good())
+    for (const model::NormResult& norm : stage.norms)
+      rows.push_back({norm.name, stage.name, norm.quantity, number("%.3e ", norm.error) + norm.unit,
+                      number("%.3e", norm.relative())});
+  return rows.size() == 1 ? std::string() : "Errors against exact solutions\n" + aligned(rows, 3);
 }
 
 std::string iterations_text(const model::RunResult& result) {
@@ -238,9 +248,10 @@ std::string summary(const RunRecord& record, const std::vector<std::filesystem::
   std::string text = record.scene.title + "\n";
   for (const std::string& paragraph :
        {simulated_text(record.plan, record.result), mesh_text(record.mesh_report, record.model),
-        balance_text(record.result), extremes_text(record.result), probes_text(record.result),
-        joints_text(record.result), iterations_text(record.result), failure_text(record.result),
-        costs_text(record.ledger), files_text(files)})
+        balance_text(record.result, record.scene.plane), extremes_text(record.result),
+        probes_text(record.result), joints_text(record.result), norms_text(record.result),
+        iterations_text(record.result), failure_text(record.result), costs_text(record.ledger),
+        files_text(files)})
     if (!paragraph.empty()) text += "\n" + paragraph;
   return text;
 }

@@ -18,12 +18,14 @@ std::string summary(const RunRecord& record, const std::vector<std::filesystem::
 std::string simulated_text(const model::Plan& plan, const model::RunResult& result);
 std::string mesh_text(const mesh::MeshReport& report, const model::Model& model);
 /// Loads against reactions, one block a stage.
-std::string balance_text(const model::RunResult& result);
+std::string balance_text(const model::RunResult& result, model::Plane plane);
 /// Least and greatest values of the last stage that converged with their places.
 std::string extremes_text(const model::RunResult& result);
 /// Displacements and principal stresses at the probes, all stages.
 std::string probes_text(const model::RunResult& result);
 std::string joints_text(const model::RunResult& result);
+/// Distances from solutions that the scene knows.
+std::string norms_text(const model::RunResult& result);
 std::string iterations_text(const model::RunResult& result);
 /// Of the stage that did not converge: why, what to try, its last iterations.
 std::string failure_text(const model::RunResult& result);

@@ -203,10 +203,10 @@ class Examiner {
 };
 
 // Where every problem has but one run, the study is one of problems, and all are one finding.
-void join_problems(std::vector<Series>& series) {
+bool join_problems(std::vector<Series>& series) {
   const bool single = std::ranges::all_of(series, [](const Series& s) { return s.cases.size() == 1; });
   const bool several = std::ranges::any_of(series, [](const Series& s) { return !s.problem.empty(); });
-  if (!single || !several) return;
+  if (!single || !several) return false;
   std::vector<Series> joined;
   for (Series& one : series) {
     const auto same = std::ranges::find(joined, one.label, &Series::label);
@@ -216,6 +216,7 @@ void join_problems(std::vector<Series>& series) {
       same->cases.insert(same->cases.end(), one.cases.begin(), one.cases.end());
   }
   series = std::move(joined);
+  return true;
 }
 
 }  // namespace
@@ -225,14 +226,14 @@ Analysis analyse(const Study& study, const std::vector<Outcome>& outcomes, const
   analysis.series = make_series(study, outcomes);
   const bool exact_only =
       std::ranges::none_of(study.measures, [](const Measure& m) { return m.reference.text(); });
-  if (study.refine.empty() && exact_only) join_problems(analysis.series);
+  const bool joined = study.refine.empty() && exact_only && join_problems(analysis.series);
   double least = 1e300, most = 0;
   for (const Outcome& outcome : outcomes) {
     if (!outcome.ok) continue;
     least = std::min(least, outcome.unknowns);
     most = std::max(most, outcome.unknowns);
   }
-  analysis.sizes_differ = most > 1.05 * least;
+  analysis.sizes_differ = !joined && most > 1.05 * least;
   std::vector<std::string> problems;
   for (const Series& series : analysis.series)
     if (std::ranges::find(problems, series.problem) == problems.end()) problems.push_back(series.problem);

@@ -48,33 +48,35 @@ core::Schema study() {
   const auto words = [](const char* key, const char* doc) {
     return parameter(key, Form::list, doc) | each(parameter("", Form::text, ""));
   };
-  return {"study",
-          "study",
-          "Study",
-          "Many runs of one scene and what they cost: what a script for `ashlar study` returns.",
-          {parameter("title", Form::text, "one line that says what is asked") | required(),
-           parameter("scene", Form::text, "the scene's file, from the study's folder") |
-               otherwise(make_value(std::string("scene.lua"))),
-           parameter("vary", Form::map,
-                     "values of the scene's parameters, each a list: all combinations are run") |
-               each(parameter("", Form::table, "the values of one parameter")),
-           parameter("cases", Form::list, "single cases, each a table of parameters") |
-               each(parameter("", Form::table, "the parameters of one case")),
-           parameter("measure", Form::map, "what is read in every run, by name") | required() |
-               each(parameter("", Form::object, "") | of_kind("measure")),
-           parameter("refine", Form::text,
-                     "the parameter that makes runs finer; by default the only number that is varied"),
-           words("problem",
-                 "parameters that change what is asked and not how well it is answered: each of their values "
-                 "has its own reference"),
-           parameter("repeats", Form::integer, "runs of each case; costs are the best of them") |
-               otherwise(make_value(1.0)) | within({1, 100, false, false}),
-           parameter("threads", Form::integer, "threads of each run") | otherwise(make_value(1.0)) |
-               within({1, 1024, false, false}),
-           parameter("files", Form::boolean,
-                     "let the runs write pictures, tables and fields, and count that as a cost") |
-               otherwise(make_value(false))},
-          {{{"vary", "cases"}, 1, 2}}};
+  return {
+      "study",
+      "study",
+      "Study",
+      "Many runs of one scene and what they cost: what a script for `ashlar study` returns.",
+      {parameter("title", Form::text, "one line that says what is asked") | required(),
+       parameter("scene", Form::text, "the scene's file, from the study's folder") |
+           otherwise(make_value(std::string("scene.lua"))),
+       parameter("vary", Form::map,
+                 "values of the scene's parameters, each a list: all combinations are run") |
+           each(parameter("", Form::table, "the values of one parameter")),
+       parameter("cases", Form::list, "single cases, each a table of parameters") |
+           each(parameter("", Form::table, "the parameters of one case")),
+       parameter("measure", Form::map, "what is read in every run, by name") | required() |
+           each(parameter("", Form::object, "") | of_kind("measure")),
+       parameter("refine", Form::text | Form::boolean,
+                 "the parameter that makes runs finer, or false for none; by default the only number that "
+                 "is varied"),
+       words("problem",
+             "parameters that change what is asked and not how well it is answered: each of their values "
+             "has its own reference"),
+       parameter("repeats", Form::integer, "runs of each case; costs are the best of them") |
+           otherwise(make_value(1.0)) | within({1, 100, false, false}),
+       parameter("threads", Form::integer, "threads of each run") | otherwise(make_value(1.0)) |
+           within({1, 1024, false, false}),
+       parameter("files", Form::boolean,
+                 "let the runs write pictures, tables and fields, and count that as a cost") |
+           otherwise(make_value(false))},
+      {{{"vary", "cases"}, 1, 2}}};
 }
 
 }  // namespace

@@ -209,6 +209,7 @@ void read_roles(const Settings& root, Study& study, Mistakes& mistakes) {
       is_key(*item.text(), item.place);
       study.problem.push_back(*item.text());
     }
+  if (root.value("refine").boolean()) return;  // none refines
   if (root.has("refine")) {
     study.refine = root.text("refine");
     is_key(study.refine, root.place_of("refine"));

@@ -5,6 +5,7 @@
 
 #include "algebra/assemble.hpp"
 #include "elasticity/cell_access.hpp"
+#include "elasticity/exact.hpp"
 #include "elasticity/recovery.hpp"
 #include "model/results.hpp"
 
@@ -73,8 +74,8 @@ void add_stress_fields(const std::set<std::string>& wanted, const std::string& s
 
 }  // namespace
 
-Bulk::Bulk(const Model& model, std::set<std::string> fields)
-    : Stiffness("elasticity"), model_(model), fields_(std::move(fields)), layout_(model) {}
+Bulk::Bulk(const Model& model, std::set<std::string> fields, const model::Scene* scene)
+    : Stiffness("elasticity"), model_(model), fields_(std::move(fields)), scene_(scene), layout_(model) {}
 
 void Bulk::add_tangent(const algebra::ScatterMap& map, std::span<double> value) const {
   algebra::assemble(map, value, [this](Index index, std::span<double> packed) {
@@ -102,6 +103,7 @@ void Bulk::add_results(const fields::State& state, model::StageResult& result) c
   const fields::State::Id id = state.find("displacement");
   assert(id >= 0);
   add_solid_results(model_, layout_, fields_, state.committed(id), {}, result);
+  if (scene_) add_norms(model_, layout_, *scene_, state.committed(id), {}, result);
 }
 
 void add_solid_results(const Model& model, const Layout& layout, const std::set<std::string>& fields,
@@ -123,9 +125,9 @@ void add_solid_results(const Model& model, const Layout& layout, const std::set<
 void Elasticity::contribute(const model::StageContext& context, model::Terms& terms) {
   if (!bulk_ && !yielding_) {
     if (std::ranges::all_of(context.model.materials, [](const auto& law) { return law->linear(); }))
-      bulk_ = std::make_shared<Bulk>(context.model, wanted_fields(context.scene));
+      bulk_ = std::make_shared<Bulk>(context.model, wanted_fields(context.scene), &context.scene);
     else
-      yielding_ = std::make_shared<Yielding>(context.model, Layout(context.model),
+      yielding_ = std::make_shared<Yielding>(context.model, Layout(context.model), context.scene,
                                              wanted_fields(context.scene), context.state);
   }
   if (bulk_)

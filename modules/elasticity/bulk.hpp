@@ -16,7 +16,8 @@ inline const std::set<std::string> all_fields = {
 class Bulk final : public model::Stiffness {
  public:
   /// `fields`: those of `all_fields` that are wanted as results.
-  Bulk(const model::Model& model, std::set<std::string> fields);
+  /// `scene`: its exact solutions, if it is there, are compared with.
+  Bulk(const model::Model& model, std::set<std::string> fields, const model::Scene* scene = nullptr);
 
   const algebra::Adjacency& groups() const override { return layout_.dofs; }
   void add_tangent(const algebra::ScatterMap& map, std::span<double> value) const override;
@@ -27,6 +28,7 @@ class Bulk final : public model::Stiffness {
  private:
   const model::Model& model_;
   std::set<std::string> fields_;
+  const model::Scene* scene_;
   Layout layout_;
 };
 

@@ -67,6 +67,15 @@ return {
     { kind = "stabilisation", name = "diagonal", constructor = "stabilisation.diagonal",
       doc = "Diagonal of the shear part of the consistent stiffness (diagonal recipe).",
       parameters = {} },
+    { kind = "exact", name = "exact", constructor = "Exact",
+      doc = "A solution known from elsewhere, to measure errors by integrals over the body.",
+      parameters = {
+        { key = "stage", forms = { "text" }, refers = "stage", doc = "the stage that it belongs to; left out: all" },
+        { key = "displacement", forms = { "function" }, doc = "function(x, y) that returns ux, uy [m]" },
+        { key = "stress", forms = { "function" },
+          doc = "function(x, y) that returns xx, yy, xy and, if it is to count, zz [Pa]; also gives the energy norm" },
+      },
+      alternatives = { { "displacement", "stress", most = 2 } } },
     { kind = "field", name = "strain", doc = "Strains of cells: xx, yy and the shear angle gamma_xy." },
     { kind = "field", name = "stress", doc = "Stresses of cells: xx, yy, xy, zz [Pa], tension positive." },
     { kind = "field", name = "principal_stress", doc = "Principal stresses of cells in the plane, s1 >= s3 [Pa]." },
@@ -123,6 +132,12 @@ return {
           doc = "Promise that the tangent is symmetric, as for laws with an energy." },
       },
       alternatives = one_weight },
+  },
+  extends = {
+    outputs = {
+      { key = "exact", forms = { "map" }, each = { forms = { "object" }, kind = "exact" },
+        doc = "known solutions by name; errors against them go to the summary and the results for machines" },
+    },
   },
   effects = {
     { name = "elasticity", called_by = { "scene.geometry" }, nonlinear = false,

@@ -7,6 +7,7 @@
 #include "core/parallel.hpp"
 #include "elasticity/bulk.hpp"
 #include "elasticity/cell_access.hpp"
+#include "elasticity/exact.hpp"
 
 namespace ashlar::elasticity {
 
@@ -61,11 +62,12 @@ void sort_triangles(std::span<const Index> dofs, std::span<double> lower, std::s
 
 }  // namespace
 
-Yielding::Yielding(const model::Model& model, Layout layout, std::set<std::string> fields,
-                   fields::State& state)
+Yielding::Yielding(const model::Model& model, Layout layout, const model::Scene& scene,
+                   std::set<std::string> fields, fields::State& state)
     : Nonlinear("elasticity"),
       model_(model),
       layout_(std::move(layout)),
+      scene_(scene),
       fields_(std::move(fields)),
       history_(state.add("elasticity.history", layout_.history.back())) {
   keep_operators();
@@ -181,8 +183,9 @@ std::vector<std::pair<std::string, double>> Yielding::facts(const fields::State&
 }
 
 void Yielding::add_results(const fields::State& state, model::StageResult& result) const {
-  add_solid_results(model_, layout_, fields_, state.committed(displacement), state.committed(history_),
-                    result);
+  const auto u = state.committed(displacement), history = state.committed(history_);
+  add_solid_results(model_, layout_, fields_, u, history, result);
+  add_norms(model_, layout_, scene_, u, history, result);
 }
 
 }  // namespace ashlar::elasticity

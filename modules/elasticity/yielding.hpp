@@ -23,7 +23,8 @@ struct CellOperators {
 class Yielding final : public model::Nonlinear {
  public:
   /// Adds the internal variables to `state`. `fields`: results that are wanted.
-  Yielding(const model::Model& model, Layout layout, std::set<std::string> fields, fields::State& state);
+  Yielding(const model::Model& model, Layout layout, const model::Scene& scene, std::set<std::string> fields,
+           fields::State& state);
 
   const algebra::Adjacency& groups() const override { return layout_.dofs; }
   bool symmetric() const override { return layout_.symmetric; }
@@ -44,6 +45,7 @@ class Yielding final : public model::Nonlinear {
 
   const model::Model& model_;
   Layout layout_;
+  const model::Scene& scene_;
   std::set<std::string> fields_;
   fields::State::Id history_;
   std::vector<CellOperators> kept_;  ///< by cell; empty: made anew each time

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include "geometry/polygon.hpp"
@@ -120,6 +121,52 @@ TEST_P(SmoothField, converges_with_the_order_of_theory) {
 
 INSTANTIATE_TEST_SUITE_P(Meshes, SmoothField, testing::Values("voronoi", "quads"),
                          [](const auto& info) { return std::string(info.param); });
+
+// What the program itself says of its errors: k + 1 in displacements, k in stresses and energy.
+TEST(smooth, errors_against_an_exact_solution_fall_as_theory_says) {
+  const auto scene =
+      std::filesystem::path(ASHLAR_SOURCE_DIR) / "tests" / "convergence" / "scenes" / "smooth.lua";
+  for (const int order : {1, 2, 3}) {
+    std::map<std::string, std::array<double, 2>> errors;
+    for (const std::size_t fine : {0u, 1u}) {
+      const SceneRun run = run_scene(
+          scene,
+          {{"mesh", "structured"}, {"cells", fine ? "1024" : "256"}, {"order", std::to_string(order)}});
+      for (const model::NormResult& norm : run.result.stages.at(0).norms)
+        errors[norm.quantity][fine] = norm.relative();
+    }
+    ASSERT_EQ(errors.size(), 3u);
+    for (const auto& [quantity, pair] : errors) {
+      const double slope = std::log2(pair[0] / pair[1]);
+      std::printf("order %d, %s: %.2e -> %.2e, slope %.2f\n", order, quantity.c_str(), pair[0], pair[1],
+                  slope);
+      const double theory = quantity == "displacement" ? order + 1 : order;
+      EXPECT_GT(slope, theory - 0.15);
+      EXPECT_LT(slope, theory + 0.3);
+    }
+  }
+}
+
+// Timoshenko's cantilever: P L³/(3 E I) + (4 + 5ν) P D² L/(24 E I) at the end's middle; cubic, so that order
+// 3 holds it exactly.
+TEST(smooth, timoshenkos_cantilever) {
+  const auto scene =
+      std::filesystem::path(ASHLAR_SOURCE_DIR) / "tests" / "convergence" / "scenes" / "timoshenko.lua";
+  const double inertia = 12.0 * 12 * 12 / 12, p = 1e6, l = 48, modulus = 30e9;
+  const double tip =
+      -(p * l * l * l / (3 * modulus * inertia) + (4 + 5 * 0.3) * p * 144 * l / (24 * modulus * inertia));
+  const double bounds[] = {0.02, 1e-4, 1e-10};
+  for (const char* mesh : {"quads", "voronoi"})
+    for (const int order : {1, 2, 3}) {
+      const SceneRun run =
+          run_scene(scene, {{"mesh", mesh}, {"divide", "8"}, {"order", std::to_string(order)}});
+      const double error = run.value("shear", "tip", "uy") / tip - 1;
+      const model::NormResult& norm = run.stage("shear").norms.front();
+      std::printf("%s, order %d: end %+.1e, displacement %.1e\n", mesh, order, error, norm.relative());
+      EXPECT_LT(std::abs(error), bounds[order - 1]);
+      EXPECT_LT(norm.relative(), bounds[order - 1]);
+    }
+}
 
 }  // namespace
 }  // namespace ashlar::test

@@ -223,11 +223,14 @@ class Section {
     return html;
   }
 
+  /// Within a series: what tells series apart is in their labels.
   bool varies(const std::string& key) const {
-    const core::Value* first = find(data_.study.cases[finding_.readings.front().one], key);
-    return std::ranges::any_of(finding_.readings, [&](const Reading& reading) {
-      const core::Value* value = find(data_.study.cases[reading.one], key);
-      return value && first && set_text(*value) != set_text(*first);
+    return std::ranges::any_of(data_.analysis.series, [&](const Series& series) {
+      const core::Value* first = find(data_.study.cases[series.cases.front()], key);
+      return in(series) && first && std::ranges::any_of(series.cases, [&](std::size_t c) {
+               const core::Value* value = find(data_.study.cases[c], key);
+               return value && set_text(*value) != set_text(*first);
+             });
     });
   }
 

@@ -14,6 +14,11 @@ local meshes = {
 
 local function ux(x, y) return math.exp(x)*math.sin(y) + x*y end
 local function uy(x, y) return math.exp(x)*math.cos(y) - x^2/2 - nu/(1 - nu)*y^2/2 end
+local G = 1e9 / (2*(1 + nu))
+local function stress(x, y)
+  local s, c = math.exp(x)*math.sin(y), math.exp(x)*math.cos(y)
+  return 2*G*(s + y/(1 - nu)), -2*G*s, 2*G*c
+end
 local led = Support { ux = ux, uy = uy }
 
 return Scene {
@@ -24,5 +29,8 @@ return Scene {
   element = "vem", order = order,
   supports = { ["block.bottom"] = led, ["block.right"] = led, ["block.top"] = led, ["block.left"] = led },
   stages = { Stage { "led" } },
-  outputs = { fields = { "displacement", "stress", "stress_nodes" } },
+  outputs = {
+    fields = { "displacement", "stress", "stress_nodes" },
+    exact = { smooth = Exact { displacement = function(x, y) return ux(x, y), uy(x, y) end, stress = stress } },
+  },
 }

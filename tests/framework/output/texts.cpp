@@ -85,7 +85,7 @@ TEST(summary, round_off_reads_as_zero) {
   Sample sample = make_sample(1);
   sample.result.stages.resize(1);
   sample.result.stages[0].balance.load.x = 1e-9;
-  const auto rows = lines(balance_text(sample.result));
+  const auto rows = lines(balance_text(sample.result, model::Plane::strain));
   EXPECT_NE(rows.back().find("sum                   0         0 "), std::string::npos) << rows.back();
 }
 
@@ -104,7 +104,7 @@ TEST(summary, says_why_a_stage_failed) {
         "step  iteration  residual  closed  opened\n", "3.0e-02      20       3\n"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\nin\n" << text;
   // Nothing of the failed stage looks like a result.
-  EXPECT_EQ(balance_text(sample.result).find("reservoir"), std::string::npos);
+  EXPECT_EQ(balance_text(sample.result, model::Plane::strain).find("reservoir"), std::string::npos);
   EXPECT_EQ(iterations_text(sample.result).find("reservoir"), std::string::npos);
 }
 
