@@ -19,6 +19,8 @@ constexpr int most_refinements = 4;
 constexpr int most_newton_steps = 15;
 // Forces in balance relative to the largest: three digits above the round-off of a badly conditioned tangent.
 constexpr double newton_tolerance = 1e-10;
+// A full step that leaves forces larger than they were is shortened so many times by half.
+constexpr int most_halvings = 4;
 // A residual this much above the first will not come back.
 constexpr double diverged = 1e4;
 
@@ -172,6 +174,37 @@ void measure(const Bulk& bulk, const LocalTerms& local, const model::Constraints
   report.iterations.push_back({1, number, report.residual, bulk.facts(state)});
 }
 
+double length(std::span<const double> values) {
+  double sum = 0;
+  for (const double v : values) sum += v * v;
+  return std::sqrt(sum);
+}
+
+/// Forces out of balance in the free dofs.
+double imbalance(const Bulk& bulk, const model::Constraints& constraints, const StepTarget& target,
+                 fields::State& state) {
+  return length(free_part(constraints, bulk_residual(bulk, target.load, state)));
+}
+
+/// Shortens the step from `before` to the trial displacement while that lessens the imbalance.
+void shorten(const Bulk& bulk, const model::Constraints& constraints, const StepTarget& target,
+             std::span<const double> before, double was, fields::State& state) {
+  const std::span<double> u = state.trial(displacement);
+  const std::vector<double> full(u.begin(), u.end());
+  std::vector<double> best = full;
+  double least = imbalance(bulk, constraints, target, state), share = 1;
+  for (int i = 0; i < most_halvings && !(least < was); ++i) {
+    share /= 2;
+    for (std::size_t dof = 0; dof < u.size(); ++dof) u[dof] = before[dof] + share * (full[dof] - before[dof]);
+    const double now = imbalance(bulk, constraints, target, state);
+    if (now < least || !std::isfinite(least)) {
+      least = now;
+      best.assign(u.begin(), u.end());
+    }
+  }
+  std::copy(best.begin(), best.end(), u.begin());
+}
+
 /// Newton with the tangent of the laws; local terms settle inside each step.
 StepReport solve_newton(Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
                         const StepTarget& target, fields::State& state) {
@@ -185,6 +218,7 @@ StepReport solve_newton(Bulk& bulk, const LocalTerms& local, const model::Constr
       return report;
     }
     const std::vector<double> residual = newton_residual(bulk, target, constraints, state);
+    const std::vector<double> before(state.trial(displacement).begin(), state.trial(displacement).end());
     std::vector<model::Iteration> rows;
     const LocalResult result = correct(bulk, local, constraints, residual, state, rows);
     if (!result.converged) {
@@ -192,6 +226,8 @@ StepReport solve_newton(Bulk& bulk, const LocalTerms& local, const model::Constr
       report.singular = result.singular;
       return report;
     }
+    if (local.empty() && number > 1)
+      shorten(bulk, constraints, target, before, length(free_part(constraints, residual)), state);
     measure(bulk, local, constraints, target, state, report, number);
     report.converged = report.residual <= newton_tolerance;
     if (report.converged) return report;
