@@ -3,6 +3,8 @@ local u = units
 local cells = param { "cells", default = 2000, doc = "number of cells (gmsh: about)" }
 local kind  = param { "mesh", default = "voronoi", choices = { "voronoi", "quads", "triangles" }, doc = "shape of cells" }
 local level = param { "level", default = 15*u.m, doc = "reservoir level above the foundation's base" }
+local jointed = param { "jointed", default = true, doc = "cut the rock along the fault; else it is whole" }
+local filled  = param { "filled", default = true, doc = "let the water act; else the second stage is as the first" }
 
 local rock = material.elastic { E = 10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }
 
@@ -20,26 +22,26 @@ return Scene {
     rock = Polygon { {0,0,"bottom"}, {25,0,"right"}, {25,10,"ground"}, {0,10,"left"}, material = rock },
     dam  = Polygon { {10,10,"base"}, {15,10,"downstream"}, {12,15,"crest"}, {10,15,"upstream"}, material = rock },
   },
-  joints = {     -- open at the ground, welded at its tip in the rock; a corner at (7, 7) makes a mesh point there
+  joints = jointed and {   -- open at the ground, welded at its tip; a corner at (7, 7) makes a mesh point there
     fault = Joint { path = { {4,10}, {7,7}, {10,4} }, sides = { "upper", "lower" },
                     friction = "none", enforce = contact.penalty { factor = 100 } },
-  },
+  } or {},
   mesh = meshes[kind],
   element = "vem",
   supports = { ["rock.bottom"] = "xy", ["rock.left"] = "xy", ["rock.right"] = "xy" },
   stages = {
     Stage { "self-weight", gravity = true },
-    Stage { "reservoir", water = Water { level = level, on = { "dam.upstream" }, unit_weight = 9.81*u.kN/u.m^3 } },
+    Stage { "reservoir", water = filled and Water { level = level, on = { "dam.upstream" }, unit_weight = 9.81*u.kN/u.m^3 } },
   },
   outputs = {
     probes = {
       crest = { "displacement", "stress", at = {10,15} },
       heel  = { "displacement", "stress", at = {10,10} },
       toe   = { "displacement", "stress", at = {15,10} },
-      mouth_upper = { "displacement", at = {4,10}, lip = "fault.upper" },
-      mouth_lower = { "displacement", at = {4,10}, lip = "fault.lower" },
-      mid_upper = { "displacement", at = {7,7}, lip = "fault.upper" },
-      mid_lower = { "displacement", at = {7,7}, lip = "fault.lower" },
+      mouth_upper = { "displacement", at = {4,10}, lip = jointed and "fault.upper" or nil },
+      mouth_lower = { "displacement", at = {4,10}, lip = jointed and "fault.lower" or nil },
+      mid_upper = { "displacement", at = {7,7}, lip = jointed and "fault.upper" or nil },
+      mid_lower = { "displacement", at = {7,7}, lip = jointed and "fault.lower" or nil },
     },
   },
 }

@@ -137,7 +137,7 @@ void look_at_cases(const CommandLine& line, Plan& plan, core::Mistakes& mistakes
     try {
       const auto scenario = read_scenario(scene);
       core::Mistakes lacks;
-      study::check_measures(plan.study, study::facts_of(scenario->scene), lacks);
+      if (one.without.empty()) study::check_measures(plan.study, study::facts_of(scenario->scene), lacks);
       gathered.add(lacks.list(), one);
       job.inputs = inputs_of(*scenario, settings, program);
     } catch (const core::InputError& error) {
@@ -179,7 +179,7 @@ void try_references(const study::Study& study) {
   core::Mistakes mistakes;
   for (const study::Measure& measure : study.measures)
     for (const study::Case& one : study.cases) {
-      if (!measure.reference.function()) continue;
+      if (!measure.reference.function() || !one.without.empty()) continue;
       try {
         exact_value(measure, one);
       } catch (const core::InputError& error) {
@@ -266,6 +266,9 @@ int study(const CommandLine& line) {
   std::vector<study::Outcome> outcomes;
   for (const study::Job& job : plan.jobs)
     outcomes.push_back(study::read_outcome(plan.study, folder, job.name, state.record(job.name, job.inputs)));
+  // What lacks an effect may lack its measures.
+  for (std::size_t c = 0; c < outcomes.size(); ++c)
+    if (!plan.study.cases[c].without.empty()) outcomes[c].missing.clear();
   const study::Analysis analysis = study::analyse(plan.study, outcomes, exact_value);
   const auto files = write_study(line, plan.study, outcomes, analysis, folder);
   if (!line.quiet) tell(plan.study, outcomes, analysis, files);

@@ -22,7 +22,7 @@ std::vector<Series> make_series(const Study& study, const std::vector<Outcome>& 
   apart.push_back(study.refine);
   std::vector<Series> all;
   for (std::size_t c = 0; c < outcomes.size(); ++c) {
-    if (!outcomes[c].ok) continue;
+    if (!outcomes[c].ok || !study.cases[c].without.empty()) continue;
     const std::string name = series_label(study.cases[c], apart), problem = problem_of(study, study.cases[c]);
     auto found = std::ranges::find_if(
         all, [&](const Series& series) { return series.label == name && series.problem == problem; });

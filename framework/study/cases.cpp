@@ -27,7 +27,7 @@ std::string set_text(const core::Value& value) {
 }
 
 std::string series_label(const Case& one, const std::vector<std::string>& but) {
-  std::string text;
+  std::string text = one.without.empty() ? "" : "without " + one.without;
   for (const Setting& setting : one.settings)
     if (setting.differs && std::ranges::find(but, setting.key) == but.end())
       text += (text.empty() ? "" : ", ") + setting.key + " = " + shown(setting.value);
@@ -58,7 +58,7 @@ std::string exact_text(const Case& one) {
 std::vector<std::string> folder_names(const std::vector<Case>& cases) {
   std::vector<std::string> names;
   for (const Case& one : cases) {
-    std::string text;
+    std::string text = one.without.empty() ? "" : "without-" + one.without;
     for (const Setting& setting : one.settings)
       text += (text.empty() ? "" : "_") + setting.key + "-" + shown(setting.value);
     names.push_back(text.empty() ? "case" : output::file_name(text));

@@ -69,6 +69,10 @@ core::Schema study() {
        words("problem",
              "parameters that change what is asked and not how well it is answered: each of their values "
              "has its own reference"),
+       parameter("without", Form::map,
+                 "what effects cost: by name, the parameters that leave each out of the last case; the page "
+                 "shows how much less time it takes then") |
+           each(parameter("", Form::table, "the parameters that leave one effect out")),
        parameter("repeats", Form::integer, "runs of each case; costs are the best of them") |
            otherwise(make_value(1.0)) | within({1, 100, false, false}),
        parameter("threads", Form::integer, "threads of each run") | otherwise(make_value(1.0)) |

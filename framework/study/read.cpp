@@ -109,6 +109,24 @@ void read_cases(const Settings& root, std::vector<Case>& cases, Mistakes& mistak
   }
 }
 
+/// The last case once more without each effect.
+void add_without(const Settings& root, std::vector<Case>& cases, Mistakes& mistakes) {
+  const core::Table* map = root.value("without").table();
+  if (!map || cases.empty()) return;
+  const Case whole = cases.back();
+  for (const auto& [name, said] : map->entries) {
+    Case one = read_case(said, mistakes);
+    if (one.settings.empty())
+      mistakes.add(said.place, "names no parameter that leaves '" + name + "' out",
+                   "for example { jointed = false }");
+    for (const Setting& setting : whole.settings)
+      if (!find(one, setting.key)) one.settings.push_back(setting);
+    std::ranges::sort(one.settings, {}, &Setting::key);
+    one.without = name;
+    cases.push_back(std::move(one));
+  }
+}
+
 void mark_constants(std::vector<Case>& cases) {
   if (cases.size() < 2) return;
   for (Setting& first : cases.front().settings) {
@@ -245,6 +263,7 @@ Study read_study(const Value& value, const core::Registry& registry, Mistakes& m
   study.cases = read_vary(root, found);
   read_cases(root, study.cases, found);
   mark_constants(study.cases);
+  add_without(root, study.cases, found);
   study.measures = read_measures(root, found);
   if (found.empty()) read_roles(root, study, found);
   if (root.has("repeats")) study.repeats = root.integer("repeats");

@@ -19,6 +19,7 @@ struct Setting {
 
 struct Case {
   std::vector<Setting> settings;
+  std::string without;  ///< the effect that is left out to see what it costs; "" in all other cases
   core::Place place;
 };
 

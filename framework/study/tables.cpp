@@ -95,6 +95,7 @@ Json setting_json(const core::Value& value) {
 
 Json case_json(const Study& study, const Outcome& outcome, const Case& one) {
   Json json = {{"case", outcome.name}, {"ok", outcome.ok}};
+  if (!one.without.empty()) json["without"] = one.without;
   json["parameters"] = Json::object();
   for (const Setting& setting : one.settings) json["parameters"][setting.key] = setting_json(setting.value);
   if (!outcome.ok) {

@@ -1,4 +1,4 @@
--- expect 6: must be "strain" or "stress", got 3
+-- expect 6: must be "strain", "stress" or "axisymmetric", got 3
 local u = units
 local rock = material.elastic { E = 10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }
 return Scene {

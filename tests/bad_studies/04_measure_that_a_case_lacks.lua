@@ -1,4 +1,4 @@
--- expect 8: measure.side.probe: the measure 'side' is missing: the scene has no probe 'side', in the case cells = 16, mark = false
+-- expect 8: measure.side.probe: the measure 'side' is missing: the scene has no probe 'side', in the case mark = false
 -- expect 9: measure.half.stage: the measure 'half' is missing: the scene has no stage 'half'
 -- expect: 2 mistakes
 return Study {

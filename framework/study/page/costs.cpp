@@ -79,6 +79,13 @@ std::string effect_tables(const PageData& data) {
          html + "</div>\n";
 }
 
+std::string spread(const Outcome& outcome) {
+  const double best = outcome.best().record.wall, worst = outcome.worst_wall();
+  return time_text(best) + (outcome.runs.size() > 1
+                                ? " <small>+" + printed("%.0f", 100 * (worst / best - 1)) + " %</small>"
+                                : "");
+}
+
 std::vector<std::string> keys_of(const Study& study) {
   std::vector<std::string> keys;
   for (const Case& one : study.cases)
@@ -87,11 +94,31 @@ std::vector<std::string> keys_of(const Study& study) {
   return keys;
 }
 
-std::string spread(const Outcome& outcome) {
-  const double best = outcome.best().record.wall, worst = outcome.worst_wall();
-  return time_text(best) + (outcome.runs.size() > 1
-                                ? " <small>+" + printed("%.0f", 100 * (worst / best - 1)) + " %</small>"
-                                : "");
+/// The last case against the same without one effect at a time.
+std::string left_out(const PageData& data) {
+  const auto first =
+      std::ranges::find_if(data.study.cases, [](const Case& one) { return !one.without.empty(); });
+  if (first == data.study.cases.begin() || first == data.study.cases.end()) return {};
+  const auto whole = static_cast<std::size_t>(first - data.study.cases.begin()) - 1;
+  if (!data.outcomes[whole].ok) return {};
+  // CPU time: runs side by side disturb each other's wall time more.
+  const double all = data.outcomes[whole].best_cpu();
+  std::vector<std::vector<std::string>> rows = {
+      {"left out", "wall time", "CPU time", "less CPU time by", "share", ""},
+      {"nothing", spread(data.outcomes[whole]), time_text(all), "", "", ""}};
+  for (std::size_t c = whole + 1; c < data.outcomes.size(); ++c) {
+    const Outcome& outcome = data.outcomes[c];
+    const std::string name = escaped(data.study.cases[c].without);
+    if (!outcome.ok) {
+      rows.push_back({name, "failed: " + escaped(outcome.reason), "", "", "", ""});
+      continue;
+    }
+    const double cpu = outcome.best_cpu(), less = std::max(0.0, all - cpu);
+    rows.push_back({name, spread(outcome), time_text(cpu), less > 0 ? time_text(less) : "nothing that shows",
+                    printed("%.1f %%", 100 * less / all), effect_bar(less / all)});
+  }
+  return "<h3>What effects cost: " + escaped(label(data.study.cases[whole])) +
+         ", and once more without each</h3>" + html_table(rows, 1);
 }
 
 std::vector<std::string> case_row(const PageData& data, std::size_t c, const std::vector<std::string>& keys) {
@@ -142,7 +169,7 @@ std::string cost_section(const PageData& data) {
          "</div>\n<p class=\"note\">Other: starting the program, opening its modules, reading and checking "
          "the scene, "
          "and its end.</p>\n" +
-         effect_tables(data) + "</section>\n";
+         effect_tables(data) + left_out(data) + "</section>\n";
 }
 
 std::string case_section(const PageData& data) {
