@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "elasticity/polynomials.hpp"
 #include "elasticity/vem_high.hpp"
 #include "modules/elasticity/cells.hpp"
 
@@ -95,6 +96,44 @@ TEST(vem_projected, around_an_axis_only_the_slide_along_it_is_free) {
       const double volume = 2 * std::numbers::pi * geometry::centroid(ring).x * geometry::signed_area(ring);
       EXPECT_NEAR(sum, -3 * volume, 1e-10 * volume) << named.name;
     }
+}
+
+/// Condition of the mean products of all monomials up to a degree, in given coordinates of the corners.
+double condition(const std::vector<Point>& ring, int degree) {
+  const std::vector<double> integral = geometry::monomial_integrals(ring, {}, 2 * degree);
+  const int size = monomials(degree);
+  Eigen::MatrixXd mass(size, size);
+  for (int a = 0; a < size; ++a)
+    for (int b = 0; b < size; ++b)
+      mass(a, b) = integral[static_cast<std::size_t>(
+                       number_of(powers_of(a).p + powers_of(b).p, powers_of(a).q + powers_of(b).q))] /
+                   integral[0];
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(mass).eigenvalues();
+  return values[size - 1] / std::max(values[0], 1e-300);
+}
+
+// Why there is one basis for all orders and shapes: scaled monomials lose the square of the aspect with each
+// degree, those in ξ nothing.
+TEST(polynomials, in_the_cells_own_coordinates_no_aspect_spoils_them) {
+  for (const double aspect : {1.0, 10.0, 100.0, 1e4}) {
+    std::vector<Point> ring, scaled, local;
+    for (const Point p : {Point{-aspect, -1}, {aspect, -1}, {aspect, 1}, {-aspect, 1}})
+      ring.push_back({0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y});
+    const Frame frame(ring);
+    const double size = geometry::diameter(ring);
+    for (const Point p : ring) {
+      scaled.push_back((2 / size) * (p - frame.centre));
+      local.push_back(frame.to_local(p));
+    }
+    for (const int degree : {1, 2, 3}) {
+      const double plain = condition(scaled, degree), own = condition(local, degree);
+      std::printf("aspect %.0e, degree %d: scaled %.1e, own %.1e\n", aspect, degree, plain, own);
+      EXPECT_LT(own, 200);
+      if (aspect >= 100) {
+        EXPECT_GT(plain, 1e3 * own);
+      }
+    }
+  }
 }
 
 }  // namespace
