@@ -27,6 +27,12 @@ return Scene {
     Stage { "reservoir", water = Water { level = level, on = { "dam.upstream" } } },
   },
   outputs = {
+    sections = {
+      base  = Section { edge = "dam.base" },          -- from heel to toe
+      waist = Section { {0,30}, {47,30} },         -- from face to face; the air beyond does not count
+      neck  = Section { {0,66.5}, {19.25,66.5} },     -- where the downstream face breaks
+    },
+    pictures = { "s3", "crosses", "sections" },
     probes = {
       crest = { "displacement", at = {0,103} },
       neck  = { "displacement", "stress", at = {19.25,66.5} },

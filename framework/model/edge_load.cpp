@@ -37,30 +37,56 @@ std::vector<std::string> group_names(const mesh::Mesh& mesh) {
 
 }  // namespace
 
-void add_traction(const Model& model, Index edge, const EdgeTraction& traction, std::span<double> force) {
+namespace {
+
+/// Calls use(t, force) for every Gauss point t of the edge's part; exact for `degree` more than the
+/// traction's.
+template <class Use>
+void integrate(const Model& model, Index edge, const EdgeTraction& traction, std::array<double, 2> part,
+               int degree, Use&& use) {
   const auto [from, to] = model.mesh.edge_points[edge];
   const Point start = model.mesh.points[from], end = model.mesh.points[to];
   const double length = geometry::distance(start, end);
   const Point outward = (-1 / length) * geometry::left_of(end - start);
-  const std::vector<Index> dofs = edge_dofs(model, edge);
   const geometry::Rule& rule =
-      geometry::gauss_legendre(traction.degree + model.element->order() + (model.axisymmetric() ? 1 : 0));
-  const std::vector<double> cuts = pieces(start, end, traction.kinks);
-  std::vector<double> shape(dofs.size());
+      geometry::gauss_legendre(traction.degree + degree + (model.axisymmetric() ? 1 : 0));
+  std::vector<double> cuts = pieces(start, end, traction.kinks);
+  for (double& cut : cuts) cut = std::clamp(cut, part[0], part[1]);
   for (std::size_t piece = 0; piece + 1 < cuts.size(); ++piece) {
     const double width = cuts[piece + 1] - cuts[piece];
     for (std::size_t g = 0; g < rule.at.size(); ++g) {
       const double t = cuts[piece] + width * rule.at[g];
       const Point at = (1 - t) * start + t * end;
-      const Point value = traction.at(at, outward);
-      const double weight = rule.weight[g] * width * length * model.depth(at);
-      model.element->edge_shape(t, shape);
-      for (std::size_t node = 0; node < dofs.size(); ++node) {
-        force[dofs[node]] += weight * shape[node] * value.x;
-        force[dofs[node] + 1] += weight * shape[node] * value.y;
-      }
+      use(t, rule.weight[g] * width * length * model.depth(at) * traction.at(at, outward));
     }
   }
+}
+
+}  // namespace
+
+void add_traction(const Model& model, Index edge, const EdgeTraction& traction, std::span<double> force) {
+  const std::vector<Index> dofs = edge_dofs(model, edge);
+  std::vector<double> shape(dofs.size());
+  integrate(model, edge, traction, {0, 1}, model.element->order(), [&](double t, Point value) {
+    model.element->edge_shape(t, shape);
+    for (std::size_t node = 0; node < dofs.size(); ++node) {
+      force[dofs[node]] += shape[node] * value.x;
+      force[dofs[node] + 1] += shape[node] * value.y;
+    }
+  });
+}
+
+Resultant traction_resultant(const Model& model, Index edge, const EdgeTraction& traction,
+                             std::array<double, 2> part, Point about) {
+  const Point start = model.mesh.points[model.mesh.edge_points[edge][0]];
+  const Point end = model.mesh.points[model.mesh.edge_points[edge][1]];
+  Resultant sum;
+  integrate(model, edge, traction, part, 1, [&](double t, Point value) {
+    sum.x += value.x;
+    sum.y += value.y;
+    sum.moment += geometry::cross((1 - t) * start + t * end - about, value);
+  });
+  return sum;
 }
 
 std::vector<Index> border_edges(const mesh::Mesh& mesh, const std::string& group, const core::Place& place,
@@ -91,7 +117,8 @@ std::vector<Index> border_edges(const mesh::Mesh& mesh, const std::string& group
   return border;
 }
 
-ForceVector::ForceVector(std::string effect, std::span<const double> force) : Load(std::move(effect)) {
+ForceVector::ForceVector(std::string effect, std::span<const double> force, LoadOrigin origin)
+    : Load(std::move(effect)), origin_(std::move(origin)) {
   for (std::size_t dof = 0; dof < force.size(); ++dof) {
     if (force[dof] == 0) continue;
     dof_.push_back(static_cast<Index>(dof));

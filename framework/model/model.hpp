@@ -8,6 +8,7 @@
 #include "fields/dof_map.hpp"
 #include "fields/state.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/section_line.hpp"
 #include "model/element.hpp"
 #include "model/material.hpp"
 
@@ -23,6 +24,7 @@ struct Model {
   std::shared_ptr<const Element> element;
   fields::DofMap dofs;  ///< of the displacement
   double length = 1;    ///< diagonal of the bounding box [m]
+  std::vector<mesh::SectionLine> sections;
 
   bool axisymmetric() const { return plane == Plane::axisymmetric; }
   /// One cell as its element sees it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/read_sections.hpp"
 #include "model/read_shape.hpp"
 #include "model/read_stages.hpp"
 #include "model/scene.hpp"
@@ -235,6 +236,10 @@ Scene read_scene(const core::Value& value, core::Registry& registry, Mistakes& m
   scene.joints = read_joints(root, scene.regions, mistakes);
   scene.stages = read_stage_names(root, mistakes);
   scene.probes = read_probes(root, mistakes);
+  if (root.entry("outputs").object) {
+    check_entry_names(scene.outputs.entry("sections"), mistakes);
+    scene.sections = read_sections(scene.outputs, mistakes);
+  }
   check_sizes(scene, mistakes);
   Names names = collect_names(scene);
   names.edges_unknown = names.edges_unknown || !complete || any_mistake_in("geometry", mistakes);

@@ -55,6 +55,41 @@ struct ProbeResult {
   std::map<std::string, double> values;  ///< "ux", "uy", "sxx", "syy", "sxy", "s1", "s3" …
 };
 
+/// Force and moment over a line: what the body on its left exerts on the body on its right, N n + V t, with t
+/// from its first to its last point and n = t turned left, and M about the middle between both. N is positive
+/// in tension, M where the end of the line is pulled more than its beginning. On the modelled thickness.
+struct SectionForces {
+  double normal = 0, shear = 0, moment = 0;  ///< N, V [N], M [N·m]
+};
+
+/// One line through the body.
+struct SectionResult {
+  enum class Side { both, left, right };  ///< whose values they are where the line follows a jump
+  struct Column {
+    std::string name, unit;
+  };
+  struct Row {
+    double s = 0;  ///< from the line's first point [m]
+    Point at;
+    Side side = Side::both;
+    int piece = 0;  ///< changes where the profile jumps or is interrupted
+    std::string region;
+    std::vector<double> values;  ///< by column; NaN: not known there
+  };
+  std::string name;
+  Point first, last;  ///< the line's first and last place in the body
+  bool ends_inside = false;
+  bool summed = false;          ///< `forces` were filled: not in bodies of revolution
+  SectionForces forces;         ///< from the forces of the cells on one side: they balance the loads
+  bool integrated = false;      ///< `integral` and `difference` were filled
+  SectionForces integral;       ///< of the profile's tractions
+  double absolute = 0;          ///< ∫ |traction| over the line [N]
+  double size = 0;              ///< greatest stress along the line times its area [N]: measures round-off
+  double difference = 0;        ///< of both, relative to `absolute`: how accurate the profile is
+  std::vector<Column> columns;  ///< ux, uy, sxx, syy, sxy, sn (normal), tau, s1, s3
+  std::vector<Row> rows;        ///< along the line; then the right sides of jumps that it follows
+};
+
 /// Sums of loads and reactions. The error is relative to the sum of absolute loads.
 struct Balance {
   std::vector<std::pair<std::string, Resultant>> loads;      ///< by effect
@@ -92,6 +127,7 @@ struct StageResult {
   std::vector<FieldResult> fields;
   std::vector<JointResult> joints;
   std::vector<ProbeResult> probes;
+  std::vector<SectionResult> sections;
   Balance balance;
   std::vector<Iteration> iterations;
   std::vector<Extreme> extremes;

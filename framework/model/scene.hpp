@@ -55,6 +55,14 @@ struct ProbeData {
   core::Place place;
 };
 
+/// A line along which stresses are read and forces are summed.
+struct SectionData {
+  std::string name;
+  std::vector<Point> path;  ///< empty: along `edge`
+  std::string edge;         ///< "dam.base"
+  core::Place place;
+};
+
 struct Scene {
   std::string title;
   Plane plane = Plane::strain;
@@ -67,6 +75,7 @@ struct Scene {
   core::Settings solver;
   std::vector<StageData> stages;
   std::vector<ProbeData> probes;
+  std::vector<SectionData> sections;
   core::Settings outputs;
   bool drawn =
       false;  ///< regions and joints hold no mistake: they can be arranged, even if other parts hold some

@@ -158,6 +158,22 @@ Schema stage() {
        supports("all supports from this stage on, in place of the inherited ones")}};
 }
 
+Schema section() {
+  return {"section",
+          "section",
+          "Section",
+          "A line through the body, by points or along an edge. Along it: stresses and displacements, with "
+          "both values where they jump. Over it: the force N*n + V*t and the moment M about its middle that "
+          "the body on its left exerts on the body on its right, in balance with the loads; t leads from "
+          "its first to its last point, n is t turned left. N is positive in tension, M where the end of "
+          "the line is pulled more than its beginning; N and V do not depend on its sense. Bodies of "
+          "revolution have no such resultants.",
+          {parameter("", Form::point, "points of the line, two or more") | in_metres(),
+           parameter("edge", Form::text,
+                     "in place of points: an edge, as region.edge, with that region on the left") |
+               refers("edge")}};
+}
+
 void add_outputs(core::Registry& registry) {
   registry.add_schema({"field", "displacement", "", "Displacement of the points [m].", {}});
   registry.add_schema(
@@ -172,6 +188,7 @@ void add_outputs(core::Registry& registry) {
        {parameter("", Form::object, "fields to read; displacement by default") | of_kind("field"),
         point("at", "the place") | required(),
         parameter("lip", Form::text, "read on this lip of a joint, as joint.side") | refers("lip")}});
+  registry.add_schema(section());
   registry.add_schema(
       {"outputs",
        "outputs",
@@ -181,14 +198,16 @@ void add_outputs(core::Registry& registry) {
             each(parameter("", Form::object, "") | of_kind("field")),
         parameter("probes", Form::map, "places to read, by name") |
             each(parameter("", Form::object, "") | of_kind("probe")),
+        parameter("sections", Form::map, "lines to read stresses and forces along, by name") |
+            each(parameter("", Form::object, "") | of_kind("section")),
         parameter("joints", Form::map, "joint profiles to write; all of all joints by default") |
             refers("joint") |
             each(parameter("", Form::list, "") |
                  each(parameter("", Form::object, "") | of_kind("joint_field"))),
-        parameter(
-            "pictures", Form::boolean | Form::list,
-            "false for none, or a list: mesh, deformed, joints, ux, uy, sxx, syy, sxy, szz, s1, s3, tmax, "
-            "von_mises, and names of fields") |
+        parameter("pictures", Form::boolean | Form::list,
+                  "false for none, or a list: mesh, deformed, joints, sections, crosses, ux, uy, sxx, syy, "
+                  "sxy, szz, s1, s3, tmax, "
+                  "von_mises, and names of fields") |
             each(parameter("", Form::text, "") | refers("picture")) | otherwise(make_value(true)),
         parameter("picture_stages", Form::boolean | Form::list,
                   "stages to draw: true for all, or a list of names; the last by default. Pictures of other "

@@ -112,8 +112,8 @@ void warn_of_held_loads(const Scene& scene, const core::Registry& registry) {
 }
 
 std::vector<std::string> picture_words(const core::Registry& registry) {
-  std::vector<std::string> words = {"mesh", "deformed", "joints", "ux", "uy", "sxx",
-                                    "syy",  "sxy",      "szz",    "s1", "s3", "tmax"};
+  std::vector<std::string> words = {"mesh", "deformed", "joints", "sections", "crosses", "ux", "uy",
+                                    "sxx",  "syy",      "sxy",    "szz",      "s1",      "s3", "tmax"};
   for (const std::string& field : registry.names("field")) words.push_back(field);
   return words;
 }

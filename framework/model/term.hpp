@@ -18,6 +18,7 @@
 namespace ashlar::model {
 
 struct StageResult;
+struct LoadOrigin;
 
 /// Forces and their moment about the origin [N, N, N·m].
 struct Resultant {
@@ -45,6 +46,9 @@ class Load : public Term {
   using Term::Term;
   /// force += this load, by dof [N].
   virtual void add_force(std::span<double> force) const = 0;
+  /// What its forces come from, if they are more than forces at points: sections ask on which side of a line
+  /// they act.
+  virtual const LoadOrigin* origin() const { return nullptr; }
 };
 
 /// A constant, symmetric, positive semidefinite tangent.
@@ -57,6 +61,8 @@ class Stiffness : public Term {
   virtual void add_tangent(const algebra::ScatterMap& map, std::span<double> value) const = 0;
   /// force += K u, by dof.
   virtual void add_internal_force(std::span<const double> u, std::span<double> force) const = 0;
+  /// force += that of one group alone, in its order, at the committed state: sections sum these on one side.
+  virtual void add_group_force(const fields::State&, Index /*group*/, std::span<double> /*force*/) const {}
 };
 
 /// A force all over the body that is no linear function of the displacement (yielding …). Every iteration
@@ -73,6 +79,8 @@ class Nonlinear : public Term {
   /// lower[map] += packed lower triangles of all groups; upper[map] += those of the transposed, unless empty.
   virtual void add_tangent(fields::State& state, const algebra::ScatterMap& map, std::span<double> lower,
                            std::span<double> upper) const = 0;
+  /// force += that of one group alone, in its order, at the committed state: sections sum these on one side.
+  virtual void add_group_force(const fields::State&, Index /*group*/, std::span<double> /*force*/) const {}
   /// force += ∂n/∂u · direction.
   virtual void add_tangent_product(fields::State& state, std::span<const double> direction,
                                    std::span<double> force) const = 0;

@@ -1,6 +1,10 @@
 #include "output/json.hpp"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
+
+#include "output/tables.hpp"
 
 namespace ashlar::output {
 
@@ -58,6 +62,49 @@ Json joints(const model::StageResult& stage) {
   return json;
 }
 
+Json forces(const model::SectionForces& forces) {
+  return Json{{"N", forces.normal}, {"V", forces.shear}, {"M", forces.moment}};
+}
+
+Json row_values(const model::SectionResult& section, const model::SectionResult::Row& row) {
+  Json json = object();
+  for (std::size_t k = 0; k < row.values.size(); ++k) json[section.columns[k].name] = row.values[k];
+  return json;
+}
+
+Json profile(const model::SectionResult& section) {
+  Json rows = Json::array();
+  for (const auto& row : section.rows) {
+    Json each = {{"s", row.s},           {"x", row.at.x},     {"y", row.at.y}, {"side", side_name(row.side)},
+                 {"region", row.region}, {"piece", row.piece}};
+    each.update(row_values(section, row));
+    rows.push_back(std::move(each));
+  }
+  return rows;
+}
+
+Json sections(const model::StageResult& stage) {
+  Json json = object();
+  for (const model::SectionResult& section : stage.sections) {
+    Json& each = json[section.name];
+    each = section.summed ? forces(section.forces) : object();
+    each["first"] = {section.first.x, section.first.y};
+    each["last"] = {section.last.x, section.last.y};
+    each["ends_inside"] = section.ends_inside;
+    if (section.integrated) {
+      each["integral"] = forces(section.integral);
+      each["difference"] = section.difference;
+    }
+    if (section.rows.empty()) continue;
+    // Both ends have names: a path into the profile would have to count rows.
+    each["begin"] = row_values(section, section.rows.front());
+    each["end"] = row_values(
+        section, *std::ranges::max_element(section.rows, {}, [](const auto& row) { return row.s; }));
+    each["profile"] = profile(section);
+  }
+  return json;
+}
+
 Json balance(const model::Balance& balance) {
   Json loads = object(), reactions = object();
   for (const auto& [name, force] : balance.loads) loads[name] = resultant(force);
@@ -109,6 +156,7 @@ Json stage_json(const model::StageResult& stage) {
   }
   json["probes"] = probes(stage);
   json["joints"] = joints(stage);
+  json["sections"] = sections(stage);
   json["balance"] = balance(stage.balance);
   json["extremes"] = extremes(stage);
   if (!stage.norms.empty()) json["norms"] = norms(stage);

@@ -126,6 +126,42 @@ void write_joint(const Handle& parent, const model::JointResult& joint) {
   attribute(group, "contact_length", joint.contact_length);
 }
 
+void write_section(const Handle& parent, const model::SectionResult& section) {
+  using Row = model::SectionResult::Row;
+  const Handle group = make_group(parent, link_name(section.name));
+  write_column<Row>(
+      group, "s", section.rows, [](const Row& r) { return r.s; }, "m");
+  write_column<Row>(
+      group, "x", section.rows, [](const Row& r) { return r.at.x; }, "m");
+  write_column<Row>(
+      group, "y", section.rows, [](const Row& r) { return r.at.y; }, "m");
+  write_column<Row>(group, "piece", section.rows, [](const Row& r) { return Index{r.piece}; });
+  std::vector<std::string> sides, regions;
+  for (const Row& row : section.rows) {
+    sides.push_back(side_name(row.side));
+    regions.push_back(row.region);
+  }
+  write(group, "side", sides);
+  write(group, "region", regions);
+  for (std::size_t k = 0; k < section.columns.size(); ++k) {
+    std::vector<double> values;
+    for (const Row& row : section.rows) values.push_back(row.values[k]);
+    write(group, link_name(section.columns[k].name), std::span<const double>(values), 1,
+          section.columns[k].unit);
+  }
+  const auto write_forces = [&](const char* name, const model::SectionForces& forces) {
+    const double numbers[] = {forces.normal, forces.shear, forces.moment};
+    attribute(group, name, std::span<const double>(numbers));
+  };
+  if (section.summed) write_forces("forces", section.forces);
+  if (section.integrated) write_forces("integral", section.integral);
+  if (section.integrated) attribute(group, "difference", section.difference);
+  const double first[] = {section.first.x, section.first.y}, last[] = {section.last.x, section.last.y};
+  attribute(group, "first", std::span<const double>(first));
+  attribute(group, "last", std::span<const double>(last));
+  attribute(group, "ends_inside", section.ends_inside ? 1 : 0);
+}
+
 void write_probe(const Handle& parent, const model::ProbeResult& probe) {
   const Handle group = make_group(parent, link_name(probe.name));
   std::vector<std::string> quantities;
@@ -215,6 +251,8 @@ void write_stage(const Handle& stages, const std::string& name, const model::Sta
   for (const model::JointResult& joint : result.joints) write_joint(joints, joint);
   const Handle probes = make_group(stage, "probes");
   for (const model::ProbeResult& probe : result.probes) write_probe(probes, probe);
+  const Handle sections = make_group(stage, "sections");
+  for (const model::SectionResult& section : result.sections) write_section(sections, section);
   write_balance(stage, result.balance);
   write_extremes(stage, result.extremes);
 }

@@ -147,6 +147,28 @@ std::string joints_text(const model::RunResult& result) {
   return text;
 }
 
+std::string sections_text(const model::RunResult& result) {
+  Rows rows = {{"", "stage", "", "N", "V", "M", "apart"}};
+  for (const model::StageResult& stage : result.good())
+    for (const model::SectionResult& section : stage.sections) {
+      if (!section.summed) continue;
+      const double length = geometry::distance(section.first, section.last);
+      const auto row = [&](std::vector<std::string> first, const model::SectionForces& forces) {
+        first.push_back(force(forces.normal, section.size, "N"));
+        first.push_back(force(forces.shear, section.size, "N"));
+        first.push_back(force(forces.moment, section.size * length, "N*m"));
+        rows.push_back(std::move(first));
+      };
+      row({section.name, stage.name, "balance"}, section.forces);
+      if (!section.integrated) continue;
+      row({"", "", "integral"}, section.integral);
+      rows.back().push_back(number("%.2g %%", 100 * section.difference));
+    }
+  if (rows.size() == 1) return {};
+  return "Sections (N in tension, M where it pulls the end of the line; apart: of the tractions' sum)\n" +
+         aligned(rows, 3);
+}
+
 std::string probes_text(const model::RunResult& result) {
   Rows rows = {{"", "stage", "at [m]", "ux", "uy", "s1", "s3"}};
   for (const model::StageResult& stage : result.stages)
@@ -249,9 +271,9 @@ std::string summary(const RunRecord& record, const std::vector<std::filesystem::
   for (const std::string& paragraph :
        {simulated_text(record.plan, record.result), mesh_text(record.mesh_report, record.model),
         balance_text(record.result, record.scene.plane), extremes_text(record.result),
-        probes_text(record.result), joints_text(record.result), norms_text(record.result),
-        iterations_text(record.result), failure_text(record.result), costs_text(record.ledger),
-        files_text(files)})
+        probes_text(record.result), sections_text(record.result), joints_text(record.result),
+        norms_text(record.result), iterations_text(record.result), failure_text(record.result),
+        costs_text(record.ledger), files_text(files)})
     if (!paragraph.empty()) text += "\n" + paragraph;
   return text;
 }

@@ -23,6 +23,8 @@ std::string balance_text(const model::RunResult& result, model::Plane plane);
 std::string extremes_text(const model::RunResult& result);
 /// Displacements and principal stresses at the probes, all stages.
 std::string probes_text(const model::RunResult& result);
+/// N, V and M over the sections, in balance and by integration, all stages.
+std::string sections_text(const model::RunResult& result);
 std::string joints_text(const model::RunResult& result);
 /// Distances from solutions that the scene knows.
 std::string norms_text(const model::RunResult& result);

@@ -22,6 +22,15 @@ std::vector<model::JointResult::Row> rows_and_tips(const model::JointResult& joi
 /// this joint.
 std::string joint_csv(const model::RunResult& result, const std::string& joint);
 
+/// One row per stage and place of the section's profile; what is not known there stays empty. Empty if no
+/// stage has this section.
+std::string section_csv(const model::RunResult& result, const std::string& section);
+/// One row per stage and section: its ends, N, V and M in balance, by integration, and how far they are
+/// apart.
+std::string sections_csv(const model::RunResult& result);
+/// "left", "right"; "both" where there is no jump.
+std::string side_name(model::SectionResult::Side side);
+
 /// One row per stage, step and iteration: residual and the facts that the terms gave.
 std::string iterations_csv(const model::RunResult& result);
 
@@ -32,6 +41,9 @@ std::optional<double> fact_of(const model::Iteration& iteration, const std::stri
 
 /// Names of all joints in the results, in the order of their first appearance.
 std::vector<std::string> joint_names(const model::RunResult& result);
+
+/// Names of all sections, likewise.
+std::vector<std::string> section_names(const model::RunResult& result);
 
 /// SI unit of a probed quantity or an iteration's fact: "m" for "ux", "Pa" for "sxx"; "" if unknown.
 std::string quantity_unit(const std::string& quantity);

@@ -46,6 +46,9 @@ void write_tables(const RunRecord& record, Transaction& transaction) {
     write_file(transaction.file("probes.csv"), probes_csv(result));
   for (const std::string& joint : joint_names(result))
     write_file(transaction.file("joint_" + file_name(joint) + ".csv"), joint_csv(result, joint));
+  for (const std::string& section : section_names(result))
+    write_file(transaction.file("section_" + file_name(section) + ".csv"), section_csv(result, section));
+  if (!section_names(result).empty()) write_file(transaction.file("sections.csv"), sections_csv(result));
   if (any([](const model::StageResult& s) { return !s.iterations.empty(); }))
     write_file(transaction.file("iterations.csv"), iterations_csv(result));
 }

@@ -8,6 +8,7 @@
 #include "core/log.hpp"
 #include "geometry/polygon.hpp"
 #include "mesh/generator.hpp"
+#include "solve/sections.hpp"
 
 namespace ashlar::solve {
 
@@ -175,6 +176,7 @@ model::Model build_model(const model::Scene& scene, core::Registry& registry, co
   const auto [y_low, y_high] = std::minmax_element(built.mesh.points.begin(), built.mesh.points.end(),
                                                    [](auto a, auto b) { return a.y < b.y; });
   built.length = std::hypot(x_high->x - x_low->x, y_high->y - y_low->y);
+  built.sections = section_lines(scene, built, mistakes);
   return built;
 }
 

@@ -9,6 +9,7 @@
 #include "model/place.hpp"
 #include "solve/advance.hpp"
 #include "solve/build.hpp"
+#include "solve/sections.hpp"
 #include "solve/stage_results.hpp"
 
 namespace ashlar::solve {
@@ -205,6 +206,7 @@ class March {
   void finish(std::size_t s, const Bulk& bulk, const LocalTerms& local, model::StageResult& result) {
     const auto timing = core::ledger().time("recover");
     const Prepared& ready = prepared_[s];
+    result.sections = begin_sections(in_.model);
     for (const auto& term : ready.terms.stiffness) term->add_results(state_, result);
     for (const auto& term : ready.terms.nonlinear) term->add_results(state_, result);
     for (const auto& term : ready.terms.local) term->add_results(state_, result);
@@ -219,6 +221,7 @@ class March {
     const std::vector<double> forces = out_of_balance(bulk, local, ready.load, state_);
     result.balance = balance(in_.model, in_.scene.stages[s],
                              {ready.terms, ready.constraints, forces, negligible * bulk.norm() * largest});
+    add_section_forces(bulk, ready, result);
     add_probes(in_.scene, in_.model, probe_points_, result);
     if (s == 0) warn_of_unread(in_.scene, result);
     if (result.balance.relative_error > poor_balance)
@@ -227,6 +230,14 @@ class March {
     add_extremes(in_.model, result);
     ended_.push_back({state_, ready.load});
     drop_unneeded(s);
+  }
+
+  void add_section_forces(const Bulk& bulk, const Prepared& ready, model::StageResult& result) {
+    if (result.sections.empty()) return;
+    // Without contact what is out of balance is what supports and joints exert.
+    const std::vector<double> outside =
+        out_of_balance(bulk, LocalTerms({}, ready.constraints), ready.load, state_);
+    finish_sections({in_.model, ready.terms, state_, outside}, result.sections);
   }
 
   /// Frees the states that no later stage starts from.

@@ -177,7 +177,7 @@ void warn_of_mixed_probes(const model::Scene& scene, const model::Model& model,
       names += (names.empty() ? "'" : " and '") + scene.regions[region].name + "'";
     core::log().warning(core::to_string(probe.place) + ": the probe lies where the materials of " + names +
                         " meet: its stresses are the mean of all sides, which none of them has; place it a "
-                        "cell's width inside the region that is meant");
+                        "cell's width inside the region that is meant, or read both sides by a section");
   }
 }
 

@@ -7,6 +7,8 @@
 #include "elasticity/cell_access.hpp"
 #include "elasticity/exact.hpp"
 #include "elasticity/recovery.hpp"
+#include "elasticity/section.hpp"
+#include "elasticity/utilisation.hpp"
 #include "model/results.hpp"
 
 namespace ashlar::elasticity {
@@ -99,6 +101,10 @@ std::size_t Bulk::bytes() const {
   return layout_.bytes();
 }
 
+void Bulk::add_group_force(const fields::State& state, Index cell, std::span<double> force) const {
+  add_cell_force(model_, layout_, cell, state.committed(state.find("displacement")), {}, force);
+}
+
 void Bulk::add_results(const fields::State& state, model::StageResult& result) const {
   const fields::State::Id id = state.find("displacement");
   assert(id >= 0);
@@ -114,16 +120,19 @@ void add_solid_results(const Model& model, const Layout& layout, const std::set<
   const bool in_cells =
       asked([](const std::string& name) { return name != "displacement" && !name.ends_with("_nodes"); });
   if (fields.contains("displacement")) result.fields.push_back(displacement_field(model, u));
-  if (!at_points && !in_cells) return;
+  if (!at_points && !in_cells && model.sections.empty()) return;
   const CellStresses cells = cell_stresses(model, layout, u, history);
+  add_section_profiles(model, cells, u, result);
   if (fields.contains("strain")) result.fields.push_back(strain_field(cells.strain));
   add_stress_fields(fields, "", On::cells, cells.stress, result.fields);
   if (at_points)
     add_stress_fields(fields, "_nodes", On::points, recover_at_points(model, cells), result.fields);
+  add_utilisation(model, cells, fields, result);
 }
 
 void Elasticity::contribute(const model::StageContext& context, model::Terms& terms) {
   if (!bulk_ && !yielding_) {
+    warn_of_no_strength(context.scene, context.model);
     if (std::ranges::all_of(context.model.materials, [](const auto& law) { return law->linear(); }))
       bulk_ = std::make_shared<Bulk>(context.model, wanted_fields(context.scene), &context.scene);
     else

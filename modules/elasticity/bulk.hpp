@@ -10,8 +10,9 @@ namespace ashlar::elasticity {
 
 /// Names of the fields that a run can ask for.
 inline const std::set<std::string> all_fields = {
-    "displacement", "strain",       "stress",          "principal_stress",       "principal_angle",
-    "von_mises",    "stress_nodes", "von_mises_nodes", "principal_stress_nodes", "principal_angle_nodes"};
+    "utilisation",  "utilisation_nodes", "displacement",           "strain",
+    "stress",       "principal_stress",  "principal_angle",        "von_mises",
+    "stress_nodes", "von_mises_nodes",   "principal_stress_nodes", "principal_angle_nodes"};
 
 class Bulk final : public model::Stiffness {
  public:
@@ -23,6 +24,7 @@ class Bulk final : public model::Stiffness {
   void add_tangent(const algebra::ScatterMap& map, std::span<double> value) const override;
   void add_internal_force(std::span<const double> u, std::span<double> force) const override;
   std::size_t bytes() const override;
+  void add_group_force(const fields::State& state, Index cell, std::span<double> force) const override;
   void add_results(const fields::State& state, model::StageResult& result) const override;
 
  private:

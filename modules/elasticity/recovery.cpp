@@ -124,97 +124,87 @@ bool fit(std::span<const Sample> samples, int degree, Point at, Stress& value) {
   return true;
 }
 
-/// Recovers at one point after another; keeps its lists between points.
-class Recovery {
- public:
-  Recovery(const Model& model, const CellStresses& cells, const mesh::Adjacency& cells_of_point)
-      : model_(model), cells_(cells), cells_of_point_(cells_of_point) {}
-
-  Stress at(Index point) {
-    const auto around = cells_of_point_[point];
-    double total = 0;
-    Stress sum{};
-    for (std::size_t i = 0; i < around.size(); ++i) {
-      if (!first_of_its_material(around, i)) continue;
-      gather_patch(around, model_.material(around[i]));
-      double area = 0;
-      for (const Index c : patch_)
-        for (const Sample& each : cells_.of(c)) area += each.area;
-      const Stress value = patch_value(point);
-      for (std::size_t k = 0; k < 4; ++k) sum[k] += area * value[k];
-      total += area;
-    }
-    if (total > 0)
-      for (double& component : sum) component /= total;
-    return sum;
-  }
-
- private:
-  bool first_of_its_material(std::span<const Index> around, std::size_t i) const {
-    for (std::size_t k = 0; k < i; ++k)
-      if (same_stiffness(model_.material(around[k]), model_.material(around[i]))) return false;
-    return true;
-  }
-
-  void gather_patch(std::span<const Index> cells, const model::Material& material) {
-    patch_.clear();
-    for (const Index c : cells)
-      if (same_stiffness(model_.material(c), material)) patch_.push_back(c);
-  }
-
-  /// Fits of lower and lower degree to the cells around; each tried on their neighbours, too.
-  Stress patch_value(Index point) {
-    const Point at = model_.mesh.points[point];
-    Stress value{};
-    wide_.clear();
-    for (int degree = model_.element->order(); degree > 0; --degree) {
-      if (fit(samples_of(patch_), degree, at, value)) return value;
-      if (wide_.empty()) widen();
-      if (fit(samples_of(wide_), degree, at, value)) return value;
-    }
-    double area = 0;
-    for (const Sample& each : samples_of(patch_)) {
-      area += each.area;
-      for (std::size_t k = 0; k < 4; ++k) value[k] += each.area * each.stress[k];
-    }
-    for (double& component : value) component /= area;
-    return value;
-  }
-
-  std::span<const Sample> samples_of(const std::vector<Index>& cells) {
-    samples_.clear();
-    for (const Index c : cells)
-      for (const Sample& each : cells_.of(c)) samples_.push_back(each);
-    return samples_;
-  }
-
-  /// The patch and all cells of its material that touch it.
-  void widen() {
-    const model::Material& material = model_.material(patch_.front());
-    wide_.assign(patch_.begin(), patch_.end());
-    for (const Index inner : patch_)
-      for (const Index p : model_.mesh.cell_points[inner])
-        for (const Index c : cells_of_point_[p])
-          if (same_stiffness(model_.material(c), material)) wide_.push_back(c);
-    std::sort(wide_.begin(), wide_.end());
-    wide_.erase(std::unique(wide_.begin(), wide_.end()), wide_.end());
-  }
-
-  const Model& model_;
-  const CellStresses& cells_;
-  const mesh::Adjacency& cells_of_point_;
-  std::vector<Index> patch_, wide_;
-  std::vector<Sample> samples_;
-};
-
 }  // namespace
+
+Stress Recovery::at_point(Index point) {
+  const auto around = cells_of_point_[point];
+  double total = 0;
+  Stress sum{};
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    if (!first_of_its_material(around, i)) continue;
+    gather_patch(around, model_.material(around[i]));
+    double area = 0;
+    for (const Index c : patch_)
+      for (const Sample& each : cells_.of(c)) area += each.area;
+    const Stress value = patch_value(model_.mesh.points[point]);
+    for (std::size_t k = 0; k < 4; ++k) sum[k] += area * value[k];
+    total += area;
+  }
+  if (total > 0)
+    for (double& component : sum) component /= total;
+  return sum;
+}
+
+Stress Recovery::on_side(Point at, std::span<const Index> around, Index of) {
+  gather_patch(around, model_.material(of));
+  return patch_value(at);
+}
+
+bool Recovery::first_of_its_material(std::span<const Index> around, std::size_t i) const {
+  for (std::size_t k = 0; k < i; ++k)
+    if (same_stiffness(model_.material(around[k]), model_.material(around[i]))) return false;
+  return true;
+}
+
+void Recovery::gather_patch(std::span<const Index> cells, const model::Material& material) {
+  patch_.clear();
+  for (const Index c : cells)
+    if (same_stiffness(model_.material(c), material)) patch_.push_back(c);
+}
+
+// Fits of lower and lower degree to the cells around; each tried on their neighbours, too.
+Stress Recovery::patch_value(Point at) {
+  Stress value{};
+  wide_.clear();
+  for (int degree = model_.element->order(); degree > 0; --degree) {
+    if (fit(samples_of(patch_), degree, at, value)) return value;
+    if (wide_.empty()) widen();
+    if (fit(samples_of(wide_), degree, at, value)) return value;
+  }
+  double area = 0;
+  for (const Sample& each : samples_of(patch_)) {
+    area += each.area;
+    for (std::size_t k = 0; k < 4; ++k) value[k] += each.area * each.stress[k];
+  }
+  for (double& component : value) component /= area;
+  return value;
+}
+
+std::span<const Sample> Recovery::samples_of(const std::vector<Index>& cells) {
+  samples_.clear();
+  for (const Index c : cells)
+    for (const Sample& each : cells_.of(c)) samples_.push_back(each);
+  return samples_;
+}
+
+// The patch and all cells of its material that touch it.
+void Recovery::widen() {
+  const model::Material& material = model_.material(patch_.front());
+  wide_.assign(patch_.begin(), patch_.end());
+  for (const Index inner : patch_)
+    for (const Index p : model_.mesh.cell_points[inner])
+      for (const Index c : cells_of_point_[p])
+        if (same_stiffness(model_.material(c), material)) wide_.push_back(c);
+  std::sort(wide_.begin(), wide_.end());
+  wide_.erase(std::unique(wide_.begin(), wide_.end()), wide_.end());
+}
 
 std::vector<Stress> recover_at_points(const Model& model, const CellStresses& cells) {
   const mesh::Adjacency cells_of_point = model.mesh.cell_points.transposed(model.mesh.point_count());
   std::vector<Stress> values(static_cast<std::size_t>(model.mesh.point_count()));
   core::parallel_for(values.size(), 256, [&](std::size_t begin, std::size_t end) {
     Recovery recovery(model, cells, cells_of_point);
-    for (std::size_t p = begin; p < end; ++p) values[p] = recovery.at(static_cast<Index>(p));
+    for (std::size_t p = begin; p < end; ++p) values[p] = recovery.at_point(static_cast<Index>(p));
   });
   return values;
 }

@@ -44,6 +44,32 @@ struct CellStresses {
 CellStresses cell_stresses(const model::Model& model, const Layout& layout, std::span<const double> u,
                            std::span<const double> history = {});
 
+/// Stresses at any place, from the cells of one stiffness around it.
+class Recovery {
+ public:
+  /// `cells_of_point`: mesh.cell_points transposed.
+  Recovery(const model::Model& model, const CellStresses& cells, const mesh::Adjacency& cells_of_point)
+      : model_(model), cells_(cells), cells_of_point_(cells_of_point) {}
+
+  /// At a mesh point: the mean over the materials that meet there.
+  Stress at_point(Index point);
+  /// At a place on or in the cell `of`, from those of `around` that are as stiff.
+  Stress on_side(Point at, std::span<const Index> around, Index of);
+
+ private:
+  bool first_of_its_material(std::span<const Index> around, std::size_t i) const;
+  void gather_patch(std::span<const Index> cells, const model::Material& material);
+  Stress patch_value(Point at);
+  std::span<const Sample> samples_of(const std::vector<Index>& cells);
+  void widen();
+
+  const model::Model& model_;
+  const CellStresses& cells_;
+  const mesh::Adjacency& cells_of_point_;
+  std::vector<Index> patch_, wide_;
+  std::vector<Sample> samples_;
+};
+
 /// Stresses at the mesh points; zero at points without cells.
 std::vector<Stress> recover_at_points(const model::Model& model, const CellStresses& cells);
 

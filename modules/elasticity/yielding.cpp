@@ -8,6 +8,7 @@
 #include "elasticity/bulk.hpp"
 #include "elasticity/cell_access.hpp"
 #include "elasticity/exact.hpp"
+#include "elasticity/section.hpp"
 
 namespace ashlar::elasticity {
 
@@ -180,6 +181,10 @@ std::vector<std::pair<std::string, double>> Yielding::facts(const fields::State&
       yielding += std::ranges::equal(from.subspan(q * own, own), to.subspan(q * own, own)) ? 0 : 1;
   }
   return {{"yielding", yielding}};
+}
+
+void Yielding::add_group_force(const fields::State& state, Index cell, std::span<double> force) const {
+  add_cell_force(model_, layout_, cell, state.committed(displacement), state.committed(history_), force);
 }
 
 void Yielding::add_results(const fields::State& state, model::StageResult& result) const {

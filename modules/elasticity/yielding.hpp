@@ -35,6 +35,7 @@ class Yielding final : public model::Nonlinear {
                            std::span<double> force) const override;
   std::vector<std::pair<std::string, double>> facts(const fields::State& state) const override;
   std::size_t bytes() const override { return layout_.bytes() + kept_bytes_; }
+  void add_group_force(const fields::State& state, Index cell, std::span<double> force) const override;
   void add_results(const fields::State& state, model::StageResult& result) const override;
 
  private:

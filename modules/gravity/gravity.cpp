@@ -29,7 +29,10 @@ std::shared_ptr<const model::Load> self_weight(const model::Model& model, double
     model.element->add_body_force(model.cell(mesh.corners(cell, corners)), {0, -weight}, local);
     for (std::size_t i = 0; i < dofs.size(); ++i) force[dofs[i]] += local[i];
   }
-  return std::make_shared<model::ForceVector>("gravity", force);
+  const auto weight = [&model, g](mesh::Index cell) {
+    return mesh::Point{0, -model.material(cell).unit_weight(g)};
+  };
+  return std::make_shared<model::ForceVector>("gravity", force, model::LoadOrigin{weight, {}});
 }
 
 void Gravity::check(const model::Scene& scene, core::Mistakes& mistakes) const {

@@ -55,11 +55,12 @@ bool covers(const Table& table, const std::string& edge, const model::StageConte
   return false;
 }
 
-void add_edge_loads(const model::StageContext& context, std::span<double> force) {
+void add_edge_loads(const model::StageContext& context, std::span<double> force, model::LoadOrigin& origin) {
   const core::Settings& stage = context.stage.settings;
   const auto add = [&](const std::string& name, const core::Place& place, const model::EdgeTraction& load) {
-    for (const geometry::Index edge : model::border_edges(context.model.mesh, name, place, context.mistakes))
-      model::add_traction(context.model, edge, load, force);
+    auto edges = model::border_edges(context.model.mesh, name, place, context.mistakes);
+    for (const geometry::Index edge : edges) model::add_traction(context.model, edge, load, force);
+    origin.tractions.emplace_back(std::move(edges), load);
   };
   for (const auto& [name, components] : stage.objects("tractions"))
     add(name, components.place, traction(components));
@@ -83,9 +84,10 @@ void Loads::check(const model::Scene& scene, core::Mistakes& mistakes) const {
 
 void Loads::contribute(const model::StageContext& context, model::Terms& terms) {
   std::vector<double> force(context.model.dofs.size());
+  model::LoadOrigin origin;
   const core::Settings& stage = context.stage.settings;
   try {
-    add_edge_loads(context, force);
+    add_edge_loads(context, force, origin);
     for (const auto& [name, said] : stage.objects("forces"))
       add_force(said, context.model, force, context.mistakes);
     for (const auto& [name, said] : stage.objects("couples"))
@@ -93,7 +95,7 @@ void Loads::contribute(const model::StageContext& context, model::Terms& terms) 
   } catch (const core::InputError& error) {
     context.mistakes.add(error);
   }
-  terms.loads.push_back(std::make_shared<model::ForceVector>("loads", force));
+  terms.loads.push_back(std::make_shared<model::ForceVector>("loads", force, std::move(origin)));
 }
 
 }  // namespace ashlar::loads

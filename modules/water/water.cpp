@@ -77,12 +77,14 @@ std::vector<mesh::Index> Water::wet_edges(const core::Settings& water, const mod
 
 void Water::contribute(const model::StageContext& context, model::Terms& terms) {
   std::vector<double> force(context.model.dofs.size());
+  model::LoadOrigin origin;
   for (const core::Settings* water : waters(context.stage)) {
     const model::EdgeTraction traction = pressure(unit_weight(*water), water->number("level"));
-    for (const mesh::Index edge : wet_edges(*water, context))
-      model::add_traction(context.model, edge, traction, force);
+    std::vector<mesh::Index> edges = wet_edges(*water, context);
+    for (const mesh::Index edge : edges) model::add_traction(context.model, edge, traction, force);
+    origin.tractions.emplace_back(std::move(edges), traction);
   }
-  terms.loads.push_back(std::make_shared<model::ForceVector>("water", force));
+  terms.loads.push_back(std::make_shared<model::ForceVector>("water", force, std::move(origin)));
 }
 
 }  // namespace ashlar::water

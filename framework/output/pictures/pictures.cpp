@@ -15,14 +15,14 @@ namespace {
 void warn_of_no_picture(const PictureSource& source, const std::string& word) {
   const core::Settings::Entry* said = source.scene.outputs.find("pictures");
   if (!said || !said->said || !said->value.table()) return;
-  std::vector<std::string> valid = {"mesh", "deformed", "joints"};
+  std::vector<std::string> valid = {"mesh", "deformed", "joints", "sections", "crosses"};
   for (const model::FieldResult& field : source.stage.fields) valid.push_back(field.name);
   core::log().warning(core::to_string(said->value.place) + ": there is nothing to draw for '" + word + "'; " +
                       core::did_you_mean(word, valid) + ", and their components such as ux or sxx");
 }
 
-const std::vector<std::string> default_words = {"mesh", "deformed", "displacement", "ux", "uy",    "sxx",
-                                                "syy",  "sxy",      "s1",           "s3", "joints"};
+const std::vector<std::string> default_words = {
+    "mesh", "deformed", "displacement", "ux", "uy", "sxx", "syy", "sxy", "s1", "s3", "joints", "sections"};
 
 const core::Value* said(const model::Scene& scene, const std::string& key) {
   const core::Settings::Entry* entry = scene.outputs.find(key);
@@ -61,6 +61,11 @@ std::vector<std::size_t> stages_of(const model::Scene& scene, std::span<const mo
 std::vector<Picture> stage_pictures(const PictureSource& source, const std::string& word) {
   if (word == "deformed") return {deformed_picture(source)};
   std::vector<Picture> pictures;
+  if (word == "crosses") {
+    pictures.push_back(cross_picture(source));
+    if (pictures.back().name.empty()) warn_of_no_picture(source, word);
+    return pictures;
+  }
   for (const std::string& quantity : quantities_of(source.stage, word)) {
     pictures.push_back(field_picture(source, quantity));
     if (pictures.back().name.empty()) warn_of_no_picture(source, word);
@@ -89,6 +94,9 @@ std::vector<Picture> chosen_pictures(const model::Scene& scene, const model::Mod
     } else if (word == "joints") {
       for (const std::string& joint : joint_names(result))
         pictures.push_back(joint_picture(scene, result, joint));
+    } else if (word == "sections") {
+      for (const std::string& section : section_names(result))
+        pictures.push_back(section_picture(scene, result, section));
     } else {
       for (const std::size_t stage : stages_of(scene, good)) {
         const bool last = stage + 1 == good.size();

@@ -61,6 +61,7 @@ std::string title_of(const std::string& quantity) {
       {"s3", "Minor principal stress *σ*_{3}"},
       {"tmax", "Greatest shear stress in the plane *τ*_{max}"},
       {"von_mises", "Equivalent stress of von Mises *σ*_{v}"},
+      {"utilisation", "Utilisation of the strength, 1 at its limit"},
       {"principal_angle", "Direction of *σ*_{1}, from *x*"},
       {"strain.xx", "Horizontal strain *ε*_{xx}"},
       {"strain.yy", "Vertical strain *ε*_{yy}"},

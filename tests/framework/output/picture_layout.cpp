@@ -56,6 +56,7 @@ TEST(layout, texts_keep_apart_on_bodies_of_any_shape_and_size) {
     const Sample sample = stretched(shape.width, shape.height, shape.from);
     for (const Picture& picture : chosen_pictures(sample.scene, sample.model, sample.result))
       expect_tidy(picture, shape.name);
+    expect_tidy(cross_picture({sample.scene, sample.model, sample.result.stages[1]}), shape.name);
   }
 }
 
@@ -152,8 +153,8 @@ core::Settings::Entry outputs_entry(const std::string& key, std::vector<std::str
 TEST(choice, what_follows_from_the_stress_is_reached_by_name) {
   Sample sample = make_sample(1);
   for (auto& stage : sample.result.stages) stage.fields.erase(stage.fields.begin());
-  EXPECT_EQ(names_of(sample),
-            (std::vector<std::string>{"mesh", "sxx", "syy", "sxy", "s1", "s3", "joint_fault"}));
+  EXPECT_EQ(names_of(sample), (std::vector<std::string>{"mesh", "sxx", "syy", "sxy", "s1", "s3",
+                                                        "joint_fault", "section_base"}));
   sample.scene.outputs.entries = {
       outputs_entry("pictures", {"stress", "principal_stress", "tmax", "von_mises"})};
   EXPECT_EQ(names_of(sample),

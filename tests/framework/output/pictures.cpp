@@ -171,7 +171,7 @@ TEST(pictures, the_default_set_is_made) {
   std::vector<std::string> names;
   for (const Picture& picture : pictures) names.push_back(picture.name);
   EXPECT_EQ(names, (std::vector<std::string>{"mesh", "deformed", "displacement", "ux", "uy", "sxx", "syy",
-                                             "sxy", "s1", "s3", "joint_fault"}));
+                                             "sxy", "s1", "s3", "joint_fault", "section_base"}));
   for (const Picture& picture : pictures) {
     const std::string png = png_bytes(picture);
     EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n") << picture.name;
@@ -180,6 +180,26 @@ TEST(pictures, the_default_set_is_made) {
     EXPECT_NE(svg.find("<svg"), std::string::npos);
     EXPECT_NE(svg.find("</svg>"), std::string::npos);
   }
+}
+
+TEST(pictures, crosses_are_thinned_on_fine_meshes) {
+  const auto arms = [](int fineness) {
+    const Sample sample = make_sample(fineness);
+    const std::string svg = svg_bytes(cross_picture({sample.scene, sample.model, sample.result.stages[1]}));
+    std::size_t count = 0;
+    for (std::size_t at = svg.find("<path"); at != std::string::npos; at = svg.find("<path", at + 1)) ++count;
+    return count;
+  };
+  const std::size_t coarse = arms(1), fine = arms(3), finer = arms(6);
+  EXPECT_GT(fine, coarse);
+  EXPECT_LT(finer, 1.5 * static_cast<double>(fine));
+}
+
+TEST(pictures, crosses_need_stresses_of_cells) {
+  Sample sample = make_sample(1);
+  auto& fields = sample.result.stages[1].fields;
+  std::erase_if(fields, [](const model::FieldResult& field) { return field.name == "stress"; });
+  EXPECT_TRUE(cross_picture({sample.scene, sample.model, sample.result.stages[1]}).name.empty());
 }
 
 TEST(pictures, the_scene_chooses) {

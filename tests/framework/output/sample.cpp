@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -187,12 +188,41 @@ model::JointResult joint_result(const Mesh& mesh, double load) {
   return joint;
 }
 
+/// Across two materials, then along a joint with values of both sides.
+model::SectionResult section_result(double load) {
+  using Side = model::SectionResult::Side;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  model::SectionResult section;
+  section.name = "base";
+  section.first = {10, 10};
+  section.last = {15, 10};
+  section.forces = {-6.42e6, 1.226e5 * load, 3.3e5};
+  section.summed = section.integrated = true;
+  section.integral = {-6.4e6, 1.2e5 * load, 3.2e5};
+  section.absolute = section.size = 6.5e6;
+  section.difference = 0.0312;
+  section.columns = {{"ux", "m"}, {"sn", "Pa"}, {"tau", "Pa"}};
+  for (int i = 0; i <= 6; ++i) {
+    const double s = i < 3 ? i : i - 1;
+    section.rows.push_back({s,
+                            {10 + s, 10},
+                            i < 3 ? Side::both : Side::left,
+                            i < 3 ? 0 : 1,
+                            "dam",
+                            {i == 1 ? unknown : 1e-4, -1e6 - 1e5 * s - (i < 3 ? 0 : 4e5), 3e4 * load * s}});
+  }
+  for (int i = 2; i <= 5; ++i)
+    section.rows.push_back({1.0 * i, {10.0 + i, 10}, Side::right, 2, "rock", {2e-4, -9e5, 2e4 * load}});
+  return section;
+}
+
 model::StageResult stage(const Mesh& mesh, const std::string& name, double load) {
   model::StageResult result;
   result.name = name;
   result.effects = {"elasticity", "gravity", "contact"};
   result.fields = {displacement_field(mesh, load), stress_field(mesh, load)};
   result.joints = {joint_result(mesh, load)};
+  result.sections = {section_result(load)};
   result.probes = {{"crest", {10, 15}, {10, 15}, {{"ux", 1.0 / 3e5 * load}, {"uy", -1e-4}}},
                    {"heel, left", {10, 10}, {10, 10}, {{"ux", 0.1}, {"uy", -8e-5}, {"sxx", 1.25e5}}}};
   result.balance.loads = {{"gravity", {0, -6.42e6, -8.1e7}}};

@@ -54,6 +54,12 @@ TEST(store, joints_probes_balance_and_iterations_come_back) {
   EXPECT_EQ(read_number_attribute(file, stage + "/joints/fault", "normal_force"), joint.normal_force);
   EXPECT_EQ(read_texts(file, stage + "/probes/crest/quantities"), (std::vector<std::string>{"ux", "uy"}));
   EXPECT_EQ(read_numbers(file, stage + "/probes/crest/values").values[0], 1.0 / 3e5);
+  const auto& section = sample.result.stages[1].sections[0];
+  const auto normal = read_numbers(file, stage + "/sections/base/sn").values;
+  ASSERT_EQ(normal.size(), section.rows.size());
+  for (std::size_t i = 0; i < normal.size(); ++i) EXPECT_EQ(normal[i], section.rows[i].values[1]);
+  EXPECT_EQ(read_texts(file, stage + "/sections/base/side")[3], "left");
+  EXPECT_EQ(read_number_attribute(file, stage + "/sections/base", "difference"), section.difference);
   EXPECT_EQ(read_texts(file, stage + "/balance/loads_names"), (std::vector<std::string>{"gravity", "water"}));
   EXPECT_EQ(read_numbers(file, stage + "/balance/loads").values[1], -6.42e6);
   const auto opened = read_numbers(file, stage + "/iterations/facts/opened").values;

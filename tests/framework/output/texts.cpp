@@ -37,6 +37,19 @@ TEST(tables, joints_list_every_stage_and_point) {
   EXPECT_EQ(joint_csv(sample.result, "unknown"), "");
 }
 
+TEST(tables, sections_have_a_row_a_place_and_side) {
+  const Sample sample = make_sample(1);
+  const auto rows = lines(section_csv(sample.result, "base"));
+  ASSERT_EQ(rows.size(), 1 + 2 * sample.result.stages[0].sections[0].rows.size());
+  EXPECT_EQ(rows[0], "stage,s [m],x [m],y [m],side,region,piece,ux [m],sn [Pa],tau [Pa]");
+  EXPECT_EQ(rows[2], "self-weight,1,11,10,both,dam,0,,-1100000,0");
+  EXPECT_EQ(rows[11], "self-weight,5,15,10,right,rock,2,2e-04,-9e+05,0");
+  EXPECT_EQ(section_csv(sample.result, "unknown"), "");
+  const auto forces = lines(sections_csv(sample.result));
+  ASSERT_EQ(forces.size(), 3u);
+  EXPECT_EQ(forces[1], "self-weight,base,10,10,15,10,-6420000,0,330000,-6400000,0,320000,0.0312");
+}
+
 TEST(tables, iterations_leave_empty_what_they_do_not_know) {
   const auto rows = lines(iterations_csv(make_sample(1).result));
   ASSERT_EQ(rows.size(), 5u);
@@ -54,6 +67,11 @@ TEST(json, holds_the_promised_paths) {
   EXPECT_EQ(stage["joints"]["fault"]["max_slip"].get<double>(), sample.result.stages[1].joints[0].max_slip);
   EXPECT_EQ(stage["joints"]["fault"]["profile"].size(), sample.result.stages[1].joints[0].rows.size());
   EXPECT_EQ(stage["balance"]["loads"]["water"]["x"], 1.226e5);
+  EXPECT_EQ(stage["sections"]["base"]["N"], -6.42e6);
+  EXPECT_EQ(stage["sections"]["base"]["integral"]["M"], 3.2e5);
+  EXPECT_EQ(stage["sections"]["base"]["end"]["sn"], -1.9e6);
+  EXPECT_EQ(stage["sections"]["base"]["profile"].size(), sample.result.stages[1].sections[0].rows.size());
+  EXPECT_TRUE(stage["sections"]["base"]["profile"][1]["ux"].is_null());
   EXPECT_EQ(stage["iterations"][0]["closed"], 20);
   EXPECT_EQ(json["mesh"]["cells"], sample.report.cells);
   EXPECT_EQ(json["effects"]["simulated"]["self-weight"]["gravity"]["called_by"],
@@ -77,7 +95,7 @@ TEST(summary, fits_the_terminal_and_names_what_matters) {
   const std::string text = summary(sample.record(), {"/tmp/out/results.h5", "/tmp/out/vtu/01_a.vtu"});
   for (const std::string& line : lines(text)) EXPECT_LE(columns(line), 100u) << line;
   for (const char* word : {"water: it matters when", "reaction rock.bottom", "122.6 kN", "fault", "(10, 15)",
-                           "Files in /tmp/out", "vtu/01_a.vtu"})
+                           "-6.42 MN", "3.1 %", "Files in /tmp/out", "vtu/01_a.vtu"})
     EXPECT_NE(text.find(word), std::string::npos) << word;
 }
 

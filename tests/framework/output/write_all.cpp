@@ -16,9 +16,9 @@ TEST(write_all, writes_everything_and_twice_the_same) {
   const Sample sample = make_sample(1);
   const fs::path out = fresh_folder("all");
   const auto files = write_results(sample.record(), out);
-  for (const char* name :
-       {"results.h5", "results.pvd", "vtu/01_self-weight.vtu", "vtu/02_reservoir_joints.vtu", "probes.csv",
-        "joint_fault.csv", "iterations.csv", "mesh.png", "s1.png"})
+  for (const char* name : {"results.h5", "results.pvd", "vtu/01_self-weight.vtu",
+                           "vtu/02_reservoir_joints.vtu", "probes.csv", "joint_fault.csv", "section_base.csv",
+                           "sections.csv", "section_base.png", "iterations.csv", "mesh.png", "s1.png"})
     EXPECT_GT(slurp(out / name).size(), 100u) << name;
   std::vector<std::string> first;
   for (const fs::path& file : files) first.push_back(slurp(file));
@@ -77,7 +77,7 @@ TEST(write_all, formats_choose) {
   sample.scene.outputs.entries = {entry};
   const auto files = write_results(sample.record(), fresh_folder("formats"));
   for (const fs::path& file : files) EXPECT_EQ(file.extension(), ".csv");
-  EXPECT_EQ(files.size(), 3u);
+  EXPECT_EQ(files.size(), 5u);
 }
 
 }  // namespace

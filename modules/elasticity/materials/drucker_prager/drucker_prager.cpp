@@ -68,6 +68,11 @@ double DruckerPrager::excess(const Voigt& stress) const {
   return at.root_j2 + cone_.eta * at.p - cone_.kappa;
 }
 
+double DruckerPrager::utilisation(const Voigt& stress) const {
+  const Invariants at = invariants(stress);
+  return share(at.root_j2, cone_.kappa - cone_.eta * at.p);
+}
+
 const char* DruckerPrager::region(const Voigt& strain, std::span<const double> committed) const {
   const Flow flow = flow_of(cone_, moduli(), trial_stress(strain, committed));
   if (flow.excess <= 0) return "elastic";

@@ -2,6 +2,7 @@
 // Drucker–Prager's law: a cone and its apex, perfectly plastic, plane strain: see README.md beside this file.
 
 #include "elasticity/materials/plastic.hpp"
+#include "elasticity/utilisation.hpp"
 
 namespace ashlar::elasticity {
 
@@ -17,13 +18,15 @@ struct Cone {
 enum class Match { outer, inner, plane_strain };
 Cone matched(const FrictionalStrength& strength, Match match);
 
-class DruckerPrager final : public Plastic {
+class DruckerPrager final : public Plastic, public WithStrength {
  public:
   DruckerPrager(const Isotropic& moduli, const Cone& cone, Weight weight = {})
       : Plastic(moduli, weight), cone_(cone) {}
 
   bool symmetric() const override { return cone_.eta == cone_.eta_bar; }
   double excess(const model::Voigt& stress) const override;
+  /// √J2 over κ − η p, what it may be under the same mean stress.
+  double utilisation(const model::Voigt& stress) const override;
   const char* region(const model::Voigt& strain, std::span<const double> committed) const override;
 
  private:

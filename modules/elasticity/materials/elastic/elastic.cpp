@@ -34,7 +34,10 @@ model::Response Elastic::respond(const model::Voigt& strain, std::span<const dou
 std::shared_ptr<const model::Material> make_elastic(const core::Settings& settings, Plane plane,
                                                     core::Mistakes& mistakes) {
   if (!check_nu(settings, plane, mistakes)) return nullptr;
-  return std::make_shared<Elastic>(settings.number("E"), settings.number("nu"), plane, read_weight(settings));
+  const Elastic law(settings.number("E"), settings.number("nu"), plane, read_weight(settings));
+  const auto strength = read_strength(settings, mistakes);
+  if (strength) return std::make_shared<ElasticWithStrength>(law, *strength);
+  return std::make_shared<Elastic>(law);
 }
 
 }  // namespace ashlar::elasticity

@@ -2,10 +2,11 @@
 // Hooke's law for plane strain and plane stress, isotropic.
 
 #include "elasticity/materials/common.hpp"
+#include "elasticity/utilisation.hpp"
 
 namespace ashlar::elasticity {
 
-class Elastic final : public model::Material {
+class Elastic : public model::Material {
  public:
   /// E > 0 [Pa]; −1 < nu ≤ ½, and below ½ in plane strain.
   Elastic(double e, double nu, model::Plane plane, Weight weight = {});
@@ -21,6 +22,18 @@ class Elastic final : public model::Material {
   double mu_, lambda_, plane_modulus_;
   bool out_of_plane_;  ///< carries stress out of the plane: not in plane stress
   Weight weight_;
+};
+
+/// Hooke's law with a strength to compare stresses with; it never yields.
+class ElasticWithStrength final : public Elastic, public WithStrength {
+ public:
+  ElasticWithStrength(const Elastic& law, const CoulombLimit& limit) : Elastic(law), limit_(limit) {}
+  double utilisation(const model::Voigt& stress) const override {
+    return elasticity::utilisation(limit_, stress);
+  }
+
+ private:
+  CoulombLimit limit_;
 };
 
 /// The maker of kind "material", name "elastic".

@@ -22,6 +22,12 @@ double MohrCoulomb::excess(const Voigt& stress) const {
   return mohr_coulomb::excess(strength_, picked(principal, descending(principal)));
 }
 
+double MohrCoulomb::utilisation(const Voigt& stress) const {
+  const FrictionalStrength& shear = strength_.shear;
+  return elasticity::utilisation(
+      CoulombLimit{shear.cohesion, shear.sin_friction, shear.cos_friction, strength_.tension}, stress);
+}
+
 const char* MohrCoulomb::region(const Voigt& strain, std::span<const double> committed) const {
   const Vector3d principal = principal_axes(trial_stress(strain, committed)).stress;
   const Vector3d sorted = picked(principal, descending(principal));

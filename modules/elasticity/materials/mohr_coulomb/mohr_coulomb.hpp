@@ -3,10 +3,11 @@
 
 #include "elasticity/materials/mohr_coulomb/return_mapping.hpp"
 #include "elasticity/materials/plastic.hpp"
+#include "elasticity/utilisation.hpp"
 
 namespace ashlar::elasticity {
 
-class MohrCoulomb final : public Plastic {
+class MohrCoulomb final : public Plastic, public WithStrength {
  public:
   /// tension ≤ c/tan φ.
   MohrCoulomb(const Isotropic& moduli, const mohr_coulomb::Strength& strength, Weight weight = {})
@@ -14,6 +15,7 @@ class MohrCoulomb final : public Plastic {
 
   bool symmetric() const override { return strength_.shear.associated(); }
   double excess(const model::Voigt& stress) const override;
+  double utilisation(const model::Voigt& stress) const override;
   const char* region(const model::Voigt& strain, std::span<const double> committed) const override;
 
  private:
