@@ -47,6 +47,8 @@ class Bulk {
   /// force += tangent · direction at the trial state, over all dofs.
   void add_tangent_product(fields::State& state, std::span<const double> direction,
                            std::span<double> force) const;
+  /// y = K x over the free unknowns with the tangent that was factored last. Nonlinear terms only.
+  void multiply(std::span<const double> x, std::span<double> y) const { algebra::multiply(matrix_, x, y); }
   /// Numbers of the nonlinear terms for the iteration table.
   std::vector<std::pair<std::string, double>> facts(const fields::State& state) const;
   /// ‖K‖∞ over the free unknowns, for backward errors.

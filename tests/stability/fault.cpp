@@ -108,6 +108,25 @@ class FaultyElement final : public model::Element {
   std::array<Point, 2> victim_;
 };
 
+/// A law whose internal variables are always those of the beginning.
+class Forgetful final : public Material {
+ public:
+  explicit Forgetful(std::shared_ptr<const Material> sound) : sound_(std::move(sound)) {}
+  bool linear() const override { return sound_->linear(); }
+  bool symmetric() const override { return sound_->symmetric(); }
+  int internal_variables() const override { return sound_->internal_variables(); }
+  model::Response respond(const model::Voigt& strain, std::span<const double> committed,
+                          std::span<double> trial) const override {
+    return sound_->respond(strain, std::vector<double>(committed.size()), trial);
+  }
+  double unit_weight(double gravity) const override { return sound_->unit_weight(gravity); }
+  double shear_modulus() const override { return sound_->shear_modulus(); }
+  double plane_modulus() const override { return sound_->plane_modulus(); }
+
+ private:
+  std::shared_ptr<const Material> sound_;
+};
+
 }  // namespace
 
 std::string words(Fault fault) {
@@ -130,6 +149,8 @@ std::string words(Fault fault) {
       return "a stiffness unlike its forces";
     case Fault::stiff_rest:
       return "stabilisation with λ in it";
+    case Fault::lost_history:
+      return "history lost";
     case Fault::cured:
       return "nothing that should stop it";
     case Fault::stronger:
@@ -140,7 +161,7 @@ std::string words(Fault fault) {
 
 std::shared_ptr<const model::Element> with_fault(std::shared_ptr<const model::Element> element, Fault fault,
                                                  const mesh::Mesh& mesh) {
-  if (fault == Fault::none || fault == Fault::cured || fault == Fault::stronger) return element;
+  if (fault == Fault::none || fault >= Fault::lost_history) return element;
   // The cell with the most inner points: what it does wrong is not hidden by held borders.
   std::vector<char> outer(mesh.points.size());
   for (mesh::Index e = 0; e < mesh.edge_count(); ++e)
@@ -160,6 +181,11 @@ std::shared_ptr<const model::Element> with_fault(std::shared_ptr<const model::El
       std::move(element), fault,
       std::array<Point, 2>{mesh.points[static_cast<std::size_t>(corners[0])],
                            mesh.points[static_cast<std::size_t>(corners[1])]});
+}
+
+std::shared_ptr<const Material> with_fault(std::shared_ptr<const Material> law, Fault fault) {
+  if (fault != Fault::lost_history) return law;
+  return std::make_shared<Forgetful>(std::move(law));
 }
 
 }  // namespace ashlar::stability

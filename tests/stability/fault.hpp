@@ -18,6 +18,7 @@ enum class Fault {
   short_coordinates,   ///< cells see their corners with ten digits
   mismatched_tangent,  ///< one cell's stiffness is not the derivative of its forces
   stiff_rest,          ///< the stabilisation scales with λ, not with μ
+  lost_history,        ///< laws begin every step as if nothing had ever yielded
   cured,               ///< the scene holds nothing that should stop it
   stronger,            ///< the strength in the scene is 2 % above what the row takes it for
 };
@@ -28,5 +29,8 @@ std::string words(Fault fault);
 /// cell is in that with the most inner points.
 std::shared_ptr<const model::Element> with_fault(std::shared_ptr<const model::Element> element, Fault fault,
                                                  const mesh::Mesh& mesh);
+
+/// The law with the fault in it, or itself.
+std::shared_ptr<const model::Material> with_fault(std::shared_ptr<const model::Material> law, Fault fault);
 
 }  // namespace ashlar::stability
