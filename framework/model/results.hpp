@@ -102,7 +102,7 @@ struct StageResult {
   double backward_error = 0;  ///< of the last step's linear solves, the worst
   double forward_error = 0;   ///< what round-off does to the displacements, relative to the largest; 0 where
                               ///< joints or yielding iterate
-  double condition = 0;       ///< estimate of ‖K‖₁ ‖K⁻¹‖₁ over the free unknowns; 0 where it is not asked for
+  double condition = 0;  ///< estimate of ‖K‖₁ ‖K⁻¹‖₁ over the free unknowns; 0 where it is not asked for
 };
 
 struct RunResult {

@@ -305,8 +305,7 @@ void tell_unsettled(StepReport& report) {
                 report.residual);
   report.reason = text;
   report.advice =
-      "the body may not carry this load: less of it, more strength, or a given displacement instead of a "
-      "force";
+      "the body may not carry this load: less of it, more strength, or displacements given in its place";
 }
 
 /// Newton with the tangent of the laws; local terms settle inside each step.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "convergence/families.hpp"
+#include "convergence/norms.hpp"
 #include "stability/hard_meshes.hpp"
 #include "stability/patch_run.hpp"
 #include "testing/meshes.hpp"
@@ -102,10 +104,42 @@ Case poisson_row() {
   return row;
 }
 
+Case locking_row() {
+  Case row;
+  row.group = "Materials";
+  row.name = "Poisson's ratio 0.49 to 0.4999999, a field that keeps its volume";
+  row.risk = "locking: cells that cannot bend without changing their area";
+  row.bound =
+      "errors in L2 and energy at most 1.5 times those at 0.3: the exact displacement is the same, the best "
+      "approximation that keeps its volume is a little worse, locking multiplies by hundreds";
+  row.plants = {Fault::stiff_rest};
+  row.run = [](Fault fault) {
+    Outcome outcome;
+    const double mu = 1e9;
+    for (const auto& [family, order] :
+         {std::pair{"distorted", 1}, {"voronoi", 1}, {"distorted", 2}, {"voronoi", 2}, {"triangles", 2}}) {
+      const mesh::Mesh mesh = convergence::family_mesh(family, 10);
+      const auto errors = [&](double nu) {
+        patch::Solid solid(mesh, std::make_shared<Elastic>(2 * mu * (1 + nu), nu, model::Plane::strain),
+                           with_fault(element_of(order), fault, mesh));
+        return convergence::solved_norms(solid, convergence::swirl(mu));
+      };
+      const convergence::Norms soft = errors(0.3);
+      for (const double nu : {0.49, 0.4999, 0.4999999}) {
+        const convergence::Norms hard = errors(nu);
+        outcome.worst(std::string(family) + " " + std::to_string(order),
+                      std::max(hard.displacement / soft.displacement, hard.energy / soft.energy), 1.5);
+      }
+    }
+    return outcome;
+  };
+  return row;
+}
+
 }  // namespace
 
 std::vector<Case> law_rows() {
-  return {contrast_row(), poisson_row()};
+  return {contrast_row(), poisson_row(), locking_row()};
 }
 
 }  // namespace ashlar::stability
