@@ -35,6 +35,7 @@ class Bulk {
   bool serves(const BulkTerms& terms, const model::Constraints& constraints,
               std::span<const Index> touched) const;
   bool linear() const { return terms_.nonlinear.empty(); }
+  bool symmetric() const { return terms_.symmetric(); }
 
   const algebra::FactorReport& report() const { return report_; }
   const algebra::LinearSolver& solver() const { return *solver_; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 #include "core/ledger.hpp"
@@ -9,6 +10,7 @@
 #include "model/place.hpp"
 #include "solve/advance.hpp"
 #include "solve/build.hpp"
+#include "solve/condition.hpp"
 #include "solve/stage_results.hpp"
 
 namespace ashlar::solve {
@@ -20,6 +22,9 @@ constexpr int most_cuts = 6;
 
 // Loads and reactions of a solved stage agree to round-off, some 1e-14; this is far off.
 constexpr double poor_balance = 1e-8;
+
+// Displacements that lost ten of their sixteen digits are said.
+constexpr double poor_forward_error = 1e-6;
 
 // Where nothing loads, reactions below this share of ‖K‖ ‖u‖ are next to nothing: their balance says nothing.
 constexpr double negligible = 1e-6;
@@ -220,6 +225,9 @@ class March {
                           core::format_quantity(largest, {1, 0, 0}) + ", " +
                           std::to_string(static_cast<int>(100 * largest / in_.model.length)) +
                           " % of the model: small-displacement theory, which is used, no longer holds");
+    if (condition_wanted())
+      result.condition = condition_estimate(bulk, local, state_, ready.constraints.unknowns());
+    warn_of_round_off(result);
     const std::vector<double> forces = out_of_balance(bulk, local, ready.load, state_);
     // Where all load is taken off, what is left is round-off of the forces that were.
     for (const double u : start.state.committed(displacement)) largest = std::max(largest, std::abs(u));
@@ -233,6 +241,19 @@ class March {
     add_extremes(in_.model, result);
     ended_.push_back({state_, ready.load});
     drop_unneeded(s);
+  }
+
+  bool condition_wanted() const {
+    const core::Settings::Entry* entry = in_.scene.root.find("condition_estimate");
+    return entry && entry->value.boolean() && *entry->value.boolean();
+  }
+
+  static void warn_of_round_off(const model::StageResult& result) {
+    if (result.forward_error < poor_forward_error) return;
+    char text[120];
+    std::snprintf(text, sizeof text, "': round-off changes displacements by some %.0e of the largest",
+                  result.forward_error);
+    core::log().warning("stage '" + result.name + text);
   }
 
   /// Frees the states that no later stage starts from.

@@ -37,7 +37,9 @@ const char* const note =
     "1e-12, 1e-11, "
     "1e-10 of the largest for orders 1, 2, 3, which is what some hundred unknowns leave in double precision; "
     "stresses "
-    "(σ) differentiate over a cell: hundred times that. Plane strain, the default stabilisation.";
+    "(σ) differentiate over a cell: hundred times that. Plane strain, the default stabilisation. Three "
+    "numbers side by side are those of "
+    "orders 1, 2 and 3, each the worst of what the row ran.";
 
 struct Counts {
   std::size_t holds = 0, known = 0, red = 0;
@@ -93,12 +95,8 @@ td.verdict { text-align: center; font-weight: 600; white-space: nowrap; }
 
 std::string figures_html(const Outcome& outcome) {
   std::string html;
-  for (const Figure& each : outcome.figures) {
-    char numbers[80];
-    std::snprintf(numbers, sizeof numbers, " %.1e / %.1e", each.value, each.bound);
-    html += std::string("<span") + (each.holds() ? "" : " class=off") + ">" + escaped(each.label) + numbers +
-            "</span> ";
-  }
+  for (const Line& each : lines(outcome))
+    html += std::string("<span") + (each.holds ? "" : " class=off") + ">" + escaped(each.text) + "</span> ";
   if (!outcome.said.empty()) html += "<span class=said>“" + escaped(outcome.said) + "”</span> ";
   for (const std::string& each : outcome.missing)
     html += "<span class='off said'>" + escaped(each) + "</span> ";
@@ -144,7 +142,7 @@ std::string text_page(const std::vector<Result>& results, const std::vector<Plan
 std::string html_page(const std::vector<Result>& results, const std::vector<Planted>& planted) {
   std::string html = "<!doctype html>\n<html lang=en><meta charset=utf-8><title>Hard cases</title>\n<style>" +
                      std::string(style) + "</style>\n<h1>Hard cases</h1>\n<p>" + sentence(results, planted) +
-                     " Measured numbers stand before their bounds.</p>\n<p>" + note + "</p>\n";
+                     "</p>\n<p>" + note + "</p>\n";
   std::string group;
   for (const Result& each : results) {
     if (each.row->group != group) {

@@ -41,15 +41,50 @@ Outcome run(const Case& row, Fault fault) {
   }
 }
 
+namespace {
+
+/// "u" of "order 2 u"; all of any other label.
+std::string quantity(const std::string& label) {
+  if (!label.starts_with("order ")) return label;
+  return label.size() > 8 ? label.substr(8) : "difference";
+}
+
+std::string short_number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+}  // namespace
+
+std::vector<Line> lines(const Outcome& outcome) {
+  std::vector<Line> all;
+  std::vector<std::string> done;
+  for (const Figure& first : outcome.figures) {
+    const std::string name = quantity(first.label);
+    if (std::ranges::count(done, name) > 0) continue;
+    done.push_back(name);
+    std::string found, bounds;
+    bool holds = true, same = true;
+    for (const Figure& each : outcome.figures) {
+      if (quantity(each.label) != name) continue;
+      const std::string comma = found.empty() ? "" : ", ";
+      found += comma + short_number(each.value) + (each.holds() ? "" : "!");
+      bounds += comma + short_number(each.bound);
+      holds = holds && each.holds();
+      same = same && each.bound == first.bound;
+    }
+    all.push_back(
+        {name + " " + found + (holds ? " ≤ " : " NOT ≤ ") + (same ? short_number(first.bound) : bounds),
+         holds});
+  }
+  return all;
+}
+
 std::string measured_text(const Outcome& outcome) {
   std::string text;
   const auto join = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
-  for (const Figure& each : outcome.figures) {
-    char number[80];
-    std::snprintf(number, sizeof number, "%s %.1e ≤ %.1e", each.holds() ? "" : " NOT", each.value,
-                  each.bound);
-    join(each.label + number);
-  }
+  for (const Line& each : lines(outcome)) join(each.text);
   if (!outcome.said.empty()) join("“" + outcome.said + "”");
   for (const std::string& each : outcome.missing) join(each);
   return text;

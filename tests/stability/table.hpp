@@ -55,7 +55,13 @@ struct Planted {
 
 /// Runs a case; an exception is a red outcome with its words.
 Outcome run(const Case& row, Fault fault);
-/// "1.2e-14 (order 1), 3.1e-13 (order 2)", and what was said or is missing.
+/// Figures in words: those of orders 1, 2, 3 together, "u 1.8e-16, 2.7e-15, 4.5e-15 ≤ 1e-12, 1e-11, 1e-10".
+struct Line {
+  std::string text;
+  bool holds = true;
+};
+std::vector<Line> lines(const Outcome& outcome);
+/// The lines, and what was said or is missing.
 std::string measured_text(const Outcome& outcome);
 std::string verdict(const Result& result);
 

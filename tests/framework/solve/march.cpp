@@ -84,6 +84,41 @@ TEST(March, RefusesWhatRoundOffSpoils) {
   }
 }
 
+TEST(March, EstimatesTheConditionWhereAsked) {
+  // Of the upper four dofs' block; then with a stop on one of them, of stiffness 10.
+  for (const bool stopped : {false, true})
+    for (const bool asked : {false, true}) {
+      World world;
+      world.stage("push", -1).supports = {World::hold("square.bottom", 0, 0)};
+      world.springs = std::make_shared<toy::Springs>(world.model, 1);
+      core::Settings::Entry entry;
+      entry.key = "condition_estimate";
+      entry.value = core::make_value(asked);
+      world.scene.root.entries.push_back(entry);
+      const auto link = std::make_shared<toy::Link>(x2, x3, 1e6);
+      world.contribute([&](const auto& context, auto& terms) {
+        terms.stiffness = {world.springs, link};
+        if (stopped)
+          terms.local.push_back(
+              std::make_shared<toy::Stop>(context.state, y3, 10, [](double, bool) { return true; }));
+        terms.loads.push_back(std::make_shared<toy::PointLoad>(x2, 10));
+      });
+      const auto result = world.run();
+      ASSERT_TRUE(result.converged) << result.stages.back().reason;
+      Eigen::Matrix4d k = world.springs->matrix().bottomRightCorner<4, 4>();
+      k(0, 0) += 1e6, k(2, 2) += 1e6, k(0, 2) -= 1e6, k(2, 0) -= 1e6;
+      if (stopped) k(3, 3) += 10;
+      const auto norm = [](const Eigen::Matrix4d& a) { return a.cwiseAbs().colwise().sum().maxCoeff(); };
+      const double right = norm(k) * norm(k.inverse());
+      if (!asked) {
+        EXPECT_EQ(result.stages[0].condition, 0);
+        continue;
+      }
+      EXPECT_GT(result.stages[0].condition, 0.3 * right);
+      EXPECT_LT(result.stages[0].condition, 1.01 * right);
+    }
+}
+
 TEST(March, FactorsAgainWhenSupportsChange) {
   World world = pushed_square();
   world.scene.stages[1].supports.push_back(World::hold("square.right", 0, std::nullopt));
