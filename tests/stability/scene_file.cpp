@@ -14,17 +14,25 @@ namespace ashlar::stability {
 
 namespace fs = std::filesystem;
 
-test::SceneRun run_scene(const std::string& name, const test::ParameterValues& set, Fault fault) {
+test::SceneRun run_scene(const std::string& name, const test::ParameterValues& set, Fault fault,
+                         const MakeSolver& solver) {
   const fs::path scene = fs::path(ASHLAR_SOURCE_DIR) / "tests" / "stability" / "scenes" / (name + ".lua");
-  return test::run_scene(scene, set, [fault](model::Model& model) {
+  return test::run_scene(scene, set, [&](app::Scenario& scenario, model::Model& model) {
     model.element = with_fault(model.element, fault, model.mesh);
     for (auto& law : model.materials) law = with_fault(law, fault);
+    if (!solver) return;
+    scenario.registry.add_schema({"solver", "planted", "", "", {}});
+    scenario.registry.add_make(
+        "solver", "planted",
+        std::function<algebra::MakeSolver>([solver](const core::Settings&) { return solver(); }));
+    scenario.scene.solver.name = "planted";
   });
 }
 
-std::string stopped_by(const std::string& name, const test::ParameterValues& set, Fault fault) {
+std::string stopped_by(const std::string& name, const test::ParameterValues& set, Fault fault,
+                       const MakeSolver& solver) {
   try {
-    run_scene(name, set, fault);
+    run_scene(name, set, fault, solver);
     return {};
   } catch (const core::InputError& error) {
     std::string words;

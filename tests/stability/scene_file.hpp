@@ -3,16 +3,22 @@
 
 #include <filesystem>
 
+#include "algebra/linear_solver.hpp"
 #include "stability/table.hpp"
 #include "support/scene_run.hpp"
 
 namespace ashlar::stability {
 
-/// Runs tests/stability/scenes/NAME.lua, with a fault of elements planted in it.
-test::SceneRun run_scene(const std::string& name, const test::ParameterValues& set, Fault fault);
+using MakeSolver = std::function<std::unique_ptr<algebra::LinearSolver>()>;
+
+/// Runs tests/stability/scenes/NAME.lua, with a fault of elements or laws planted in it. `solver`, if given,
+/// makes the linear solver in place of the scene's.
+test::SceneRun run_scene(const std::string& name, const test::ParameterValues& set, Fault fault,
+                         const MakeSolver& solver = {});
 
 /// The words of the mistake or of the stage that does not converge; empty if the scene runs to its end.
-std::string stopped_by(const std::string& name, const test::ParameterValues& set, Fault fault);
+std::string stopped_by(const std::string& name, const test::ParameterValues& set, Fault fault,
+                       const MakeSolver& solver = {});
 
 /// A mesh in a file of a temporary folder, gone with this object.
 class MeshFile {

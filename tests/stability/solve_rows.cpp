@@ -6,6 +6,7 @@
 
 #include "stability/hard_meshes.hpp"
 #include "stability/patch_run.hpp"
+#include "stability/scene_file.hpp"
 #include "testing/meshes.hpp"
 
 namespace ashlar::stability {
@@ -98,10 +99,68 @@ Case refused_row() {
   return row;
 }
 
+MakeSolver careless(double share) {
+  return [share] {
+    return std::make_unique<Careless>(std::make_unique<suitesparse::Cholesky>(suitesparse::Method::automatic),
+                                      share);
+  };
+}
+
+test::ParameterValues associated(int order) {
+  return {{"order", std::to_string(order)}, {"dilation", "0.5"}};
+}
+
+Case newton_refined_row() {
+  Case row;
+  row.group = "Solves";
+  row.name = "a solver that is off by a thousandth, inside Newton's iteration";
+  row.risk = "a poor correction hides as slow convergence";
+  row.bound =
+      "refined to a backward error of 1e-14: as many iterations as with a good solver, displacements within "
+      "1e-9, "
+      "as Newton ends at 1e-10";
+  row.plants = {Fault::wrong_sign};
+  row.run = [](Fault fault) {
+    Outcome outcome;
+    for (int order = 1; order <= 3; ++order) {
+      const auto sound = run_scene("pushed_soil", associated(order), Fault::none);
+      const auto poor = run_scene("pushed_soil", associated(order), fault, careless(1e-3));
+      const std::string name = "order " + std::to_string(order);
+      outcome.worst(name + " backward", worst_backward_error(poor.result), 1e-14);
+      outcome.worst(name + " u",
+                    relative_difference(values(poor.stage("push"), "displacement"),
+                                        values(sound.stage("push"), "displacement")),
+                    1e-9);
+      if (poor.stage("push").iterations.size() != sound.stage("push").iterations.size())
+        outcome.missing.push_back(name + ": another number of iterations");
+    }
+    return outcome;
+  };
+  return row;
+}
+
+Case newton_refused_row() {
+  Case row;
+  row.group = "Solves";
+  row.name = "a solver that is off by half, inside Newton's iteration";
+  row.risk = "a wrong correction passed on";
+  row.bound = "refused, as in a linear stage, and the place is named";
+  row.plants = {Fault::cured};
+  row.run = [](Fault fault) {
+    Outcome outcome;
+    const std::string said =
+        stopped_by("pushed_soil", associated(1), Fault::none, careless(fault == Fault::cured ? 0 : 0.5));
+    outcome.must_say(said,
+                     {"stage 'weight' did not converge", "badly conditioned", "moduli that differ less"});
+    return outcome;
+  };
+  return row;
+}
+
 }  // namespace
 
 std::vector<Case> solve_rows() {
-  return {refined_row(), refused_row()};
+  return {refined_row(), refused_row(), newton_refined_row(), newton_refused_row()};
 }
 
 }  // namespace ashlar::stability

@@ -24,7 +24,7 @@ double SceneRun::value(const std::string& stage_name, const std::string& probe,
 }
 
 SceneRun run_scene(const std::filesystem::path& scene, const ParameterValues& set,
-                   const std::function<void(model::Model&)>& adjust) {
+                   const std::function<void(app::Scenario&, model::Model&)>& adjust) {
   // The program looks beside itself; tests lie elsewhere in the build.
   setenv("ASHLAR_MODULES", ASHLAR_BINARY_DIR "/modules", 0);
   setenv("ASHLAR_SCRIPTS", ASHLAR_SOURCE_DIR "/scripts", 0);
@@ -36,7 +36,7 @@ SceneRun run_scene(const std::filesystem::path& scene, const ParameterValues& se
   core::Mistakes mistakes;
   run.model = solve::build_model(parts.scene, parts.registry, mistakes);
   mistakes.throw_if_any();
-  if (adjust) adjust(run.model);
+  if (adjust) adjust(parts, run.model);
   solve::Observer silent;
   run.result = solve::march({parts.scene, parts.plan, run.model, parts.registry, parts.effects}, silent);
   if (!run.result.converged)

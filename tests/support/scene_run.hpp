@@ -25,10 +25,10 @@ struct SceneRun {
 };
 
 /// Reads, plans, builds and marches the scene in a file or folder, modules from the build. Throws InputError
-/// for mistakes and runtime_error if a stage does not converge. `adjust` may change the model before it is
-/// solved.
+/// for mistakes and runtime_error if a stage does not converge. `adjust` may change the scenario and its
+/// model before it is solved.
 SceneRun run_scene(const std::filesystem::path& scene, const ParameterValues& set = {},
-                   const std::function<void(model::Model&)>& adjust = {});
+                   const std::function<void(app::Scenario&, model::Model&)>& adjust = {});
 
 /// examples/jointed_dam.
 std::filesystem::path jointed_dam();

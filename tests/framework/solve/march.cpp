@@ -91,9 +91,9 @@ TEST(March, EstimatesTheConditionWhereAsked) {
       World world;
       world.stage("push", -1).supports = {World::hold("square.bottom", 0, 0)};
       world.springs = std::make_shared<toy::Springs>(world.model, 1);
-      core::Settings::Entry entry;
+      ashlar::core::Settings::Entry entry;
       entry.key = "condition_estimate";
-      entry.value = core::make_value(asked);
+      entry.value = ashlar::core::make_value(asked);
       world.scene.root.entries.push_back(entry);
       const auto link = std::make_shared<toy::Link>(x2, x3, 1e6);
       world.contribute([&](const auto& context, auto& terms) {

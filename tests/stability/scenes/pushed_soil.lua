@@ -2,8 +2,9 @@
 local m  = param { "m", default = 1, doc = "what the unit of length is multiplied by" }
 local pa = param { "pa", default = 1, doc = "what the unit of stress is multiplied by" }
 local order = param { "order", default = 1, doc = "order of the element" }
+local dilation = param { "dilation", default = 0.1, doc = "angle of dilation; 0.5, the friction, is associated flow" }
 local soil = material.mohr_coulomb {
-  E = 10e6*pa, nu = 0.3, unit_weight = 20e3*pa/m, cohesion = 5e3*pa, friction = 0.5, dilation = 0.1,
+  E = 10e6*pa, nu = 0.3, unit_weight = 20e3*pa/m, cohesion = 5e3*pa, friction = 0.5, dilation = dilation,
 }
 local function leaning(_, y) return 0.004*y end
 
