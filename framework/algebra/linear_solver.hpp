@@ -38,6 +38,8 @@ class LinearSolver {
 
   /// x = A⁻¹ b. Only without kept unknowns.
   virtual void solve(std::span<const double> b, std::span<double> x) const = 0;
+  /// x = A⁻ᵀ b, as `solve`. Solvers for symmetric matrices need not say how.
+  virtual void solve_transposed(std::span<const double> b, std::span<double> x) const { solve(b, x); }
 
   /// S = A_kk − A_ki A_ii⁻¹ A_ik, dense, in the order of `kept`.
   virtual const Eigen::MatrixXd& schur() const = 0;

@@ -9,13 +9,14 @@ namespace ashlar::algebra {
 void multiply(const SymmetricMatrix& a, std::span<const double> x, std::span<double> y) {
   const SymmetricPattern& pattern = a.pattern;
   assert(x.size() == static_cast<std::size_t>(pattern.size) && y.size() == x.size());
+  const std::vector<double>& upper = a.upper.empty() ? a.value : a.upper;
   std::fill(y.begin(), y.end(), 0.0);
   for (Index j = 0; j < pattern.size; ++j) {
     Index p = pattern.column_start[j];
     double sum = a.value[p] * x[j];
     for (++p; p < pattern.column_start[j + 1]; ++p) {
       const Index i = pattern.row[p];
-      sum += a.value[p] * x[i];
+      sum += upper[p] * x[i];
       y[i] += a.value[p] * x[j];
     }
     y[j] += sum;

@@ -135,7 +135,10 @@ struct StageResult {
   bool factored = true;  ///< false: the previous factorisation served
   Index unknowns = 0, kept = 0;
   std::string solver;         ///< what the solver said of its factorisation
-  double backward_error = 0;  ///< of the last linear solve
+  double backward_error = 0;  ///< of the last step's linear solves, the worst
+  double forward_error = 0;   ///< what round-off does to the displacements, relative to the largest; 0 where
+                              ///< joints or yielding iterate
+  double condition = 0;  ///< estimate of ‖K‖₁ ‖K⁻¹‖₁ over the free unknowns; 0 where it is not asked for
 };
 
 struct RunResult {

@@ -219,34 +219,38 @@ void add_outputs(core::Registry& registry) {
 }
 
 Schema scene() {
-  return {"scene",
-          "scene",
-          "Scene",
-          "The whole scenario: what a script returns.",
-          {parameter("title", Form::text, "one line that says what it is") | required(),
-           parameter(
-               "plane", Form::text,
-               "plane strain, plane stress, or a body of revolution about x = 0 whose half section this is: "
-               "x is its radius, y its axis, zz the direction around; forces are those of the whole body") |
-               required() | one_of({"strain", "stress", "axisymmetric"}),
-           parameter("thickness", Form::number, "out of plane; forces are for this thickness") | in_metres() |
-               otherwise(make_value(1.0)) | within(positive),
-           parameter("geometry", Form::map, "the regions, by name") | required() |
-               each(parameter("", Form::object, "") | of_kind("region")),
-           parameter("joints", Form::map, "the joints, by name") |
-               each(parameter("", Form::object, "") | of_kind("joint")),
-           parameter("mesh", Form::object, "how the regions are meshed") | required() | of_kind("mesh"),
-           parameter("element", Form::object, "the cells' element; may be left out if there is only one") |
-               of_kind("element"),
-           parameter("order", Form::integer, "order of the element") | otherwise(make_value(1.0)) |
-               within({1, 9, false, false}),
-           parameter("solver", Form::object, "the linear solver; may be left out if there is only one") |
-               of_kind("solver"),
-           supports("what is held, by edge or by name"),
-           parameter("stages", Form::list, "what happens, in order") | required() |
-               each(parameter("", Form::object, "") | of_kind("stage")),
-           parameter("outputs", Form::object, "what is written") | of_kind("outputs") |
-               otherwise(make_value(core::Table{}))}};
+  return {
+      "scene",
+      "scene",
+      "Scene",
+      "The whole scenario: what a script returns.",
+      {parameter("title", Form::text, "one line that says what it is") | required(),
+       parameter(
+           "plane", Form::text,
+           "plane strain, plane stress, or a body of revolution about x = 0 whose half section this is: "
+           "x is its radius, y its axis, zz the direction around; forces are those of the whole body") |
+           required() | one_of({"strain", "stress", "axisymmetric"}),
+       parameter("thickness", Form::number, "out of plane; forces are for this thickness") | in_metres() |
+           otherwise(make_value(1.0)) | within(positive),
+       parameter("geometry", Form::map, "the regions, by name") | required() |
+           each(parameter("", Form::object, "") | of_kind("region")),
+       parameter("joints", Form::map, "the joints, by name") |
+           each(parameter("", Form::object, "") | of_kind("joint")),
+       parameter("mesh", Form::object, "how the regions are meshed") | required() | of_kind("mesh"),
+       parameter("element", Form::object, "the cells' element; may be left out if there is only one") |
+           of_kind("element"),
+       parameter("order", Form::integer, "order of the element") | otherwise(make_value(1.0)) |
+           within({1, 9, false, false}),
+       parameter("solver", Form::object, "the linear solver; may be left out if there is only one") |
+           of_kind("solver"),
+       parameter("condition_estimate", Form::boolean,
+                 "true: estimate the condition number of each stage's linear system; costs a few solves") |
+           otherwise(make_value(false)),
+       supports("what is held, by edge or by name"),
+       parameter("stages", Form::list, "what happens, in order") | required() |
+           each(parameter("", Form::object, "") | of_kind("stage")),
+       parameter("outputs", Form::object, "what is written") | of_kind("outputs") |
+           otherwise(make_value(core::Table{}))}};
 }
 
 }  // namespace

@@ -164,7 +164,9 @@ Json stage_json(const model::StageResult& stage) {
                    {"kept", stage.kept},
                    {"factored", stage.factored},
                    {"solver", stage.solver},
-                   {"backward_error", stage.backward_error}};
+                   {"backward_error", stage.backward_error},
+                   {"forward_error", stage.forward_error}};
+  if (stage.condition > 0) json["solve"]["condition"] = stage.condition;
   return json;
 }
 

@@ -244,6 +244,8 @@ void write_stage(const Handle& stages, const std::string& name, const model::Sta
   attribute(stage, "kept", static_cast<int>(result.kept));
   attribute(stage, "solver", result.solver);
   attribute(stage, "backward_error", result.backward_error);
+  attribute(stage, "forward_error", result.forward_error);
+  if (result.condition > 0) attribute(stage, "condition", result.condition);
   write_iterations(stage, result);
   if (!result.converged) return;
   write_fields(stage, result);

@@ -200,12 +200,16 @@ std::string norms_text(const model::RunResult& result) {
 
 std::string iterations_text(const model::RunResult& result) {
   Rows rows = {{"stage", "iterations", "last residual", "backward error", "unknowns", "solved with"}};
+  const bool conditions =
+      std::ranges::any_of(result.good(), [](const model::StageResult& stage) { return stage.condition > 0; });
+  if (conditions) rows.front().push_back("condition");
   for (const model::StageResult& stage : result.good()) {
     const bool linear = stage.iterations.empty();
     rows.push_back({stage.name, linear ? "linear" : std::to_string(stage.iterations.size()),
                     linear ? "" : number("%.1e", stage.iterations.back().residual),
                     number("%.1e", stage.backward_error), std::to_string(stage.unknowns),
                     stage.factored ? "new factorisation" : "factorisation kept"});
+    if (conditions) rows.back().push_back(stage.condition > 0 ? number("%.1e", stage.condition) : "unknown");
   }
   return rows.size() == 1 ? std::string() : "Solution\n" + aligned(rows);
 }

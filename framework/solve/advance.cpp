@@ -14,6 +14,8 @@ namespace {
 constexpr double good_backward_error = 1e-14;
 // A solve that refinement cannot bring below this is refused.
 constexpr double worst_backward_error = 1e-9;
+// Displacements that round-off changes by more than this share are refused: engineers ask for three digits.
+constexpr double worst_forward_error = 1e-4;
 constexpr int most_refinements = 4;
 // Newton converges quadratically near the solution: half a dozen steps, or the step is too large.
 constexpr int most_newton_steps = 15;
@@ -52,13 +54,15 @@ std::vector<double> free_part(const model::Constraints& constraints, std::span<c
   return part;
 }
 
-/// K δ = −r with the local terms iterated in their own dofs; δ is added to the trial displacement.
+/// K δ = −r with the local terms iterated in their own dofs; δ is added to the trial displacement and to
+/// `total`.
 LocalResult correct(const Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
                     std::span<const double> residual, fields::State& state,
-                    std::vector<model::Iteration>& rows) {
+                    std::vector<model::Iteration>& rows, std::vector<double>& total) {
   std::vector<double> right = free_part(constraints, residual);
   for (double& r : right) r = -r;
   std::vector<double> change(right.size());
+  total.resize(right.size());
   LocalResult result{true, false, {}};
   if (right.empty()) return result;
   if (local.empty()) {
@@ -76,8 +80,20 @@ LocalResult correct(const Bulk& bulk, const LocalTerms& local, const model::Cons
     bulk.solver().expand(work, u(local.free()) - start, change);
   }
   const std::span<double> u = state.trial(displacement);
-  for (std::size_t i = 0; i < change.size(); ++i) u[constraints.dof[i]] += change[i];
+  for (std::size_t i = 0; i < change.size(); ++i) {
+    u[constraints.dof[i]] += change[i];
+    total[i] += change[i];
+  }
   return result;
+}
+
+/// The forces of local terms at the trial state.
+void add_local_force(const LocalTerms& local, const fields::State& state, std::span<double> force) {
+  if (local.empty()) return;
+  Eigen::VectorXd own;
+  Eigen::MatrixXd tangent;
+  local.evaluate(state, touched_values(local, state.trial(displacement)), own, tangent);
+  for (Index i = 0; i < own.size(); ++i) force[local.touched()[i]] += own[i];
 }
 
 }  // namespace
@@ -85,62 +101,108 @@ LocalResult correct(const Bulk& bulk, const LocalTerms& local, const model::Cons
 std::vector<double> out_of_balance(const Bulk& bulk, const LocalTerms& local, std::span<const double> load,
                                    fields::State& state) {
   std::vector<double> residual = bulk_residual(bulk, load, state);
-  if (!local.empty()) {
-    Eigen::VectorXd force;
-    Eigen::MatrixXd tangent;
-    local.evaluate(state, touched_values(local, state.trial(displacement)), force, tangent);
-    for (Index i = 0; i < force.size(); ++i) residual[local.touched()[i]] += force[i];
-  }
+  add_local_force(local, state, residual);
   return residual;
 }
 
 namespace {
+
+/// The unknown whose forces balance least.
+Index worst_unknown(std::span<const double> free) {
+  const auto most = std::ranges::max_element(free, {}, [](double r) { return std::abs(r); });
+  return most == free.end() ? -1 : static_cast<Index>(most - free.begin());
+}
+
+void stop(const LocalResult& result, StepReport& report) {
+  report.reason = result.reason;
+  report.advice = result.singular
+                      ? "hold the body by a support in this stage, or load it so that its joints close"
+                      : "smaller cells along the joint, a softer contact (a smaller penalty factor), or "
+                        "the load spread over several stages";
+  report.singular = result.singular;
+}
+
+void refuse(StepReport& report) {
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "the linear system is too badly conditioned: its backward error stays at %.1e",
+                report.backward_error);
+  report.reason = text;
+  report.advice =
+      "stiffnesses nearer to each other: a smaller penalty factor, moduli that differ less, "
+      "cells that are less thin";
+}
+
+void refuse_barely_held(StepReport& report) {
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "round-off alone changes displacements by %.1g of the largest, most of all",
+                report.forward_error);
+  report.reason = text;
+  report.advice =
+      "the body is barely held: support it at more points or farther apart; or cells that are less thin, "
+      "moduli that differ less";
+}
+
+/// Whether another round of refinement is called for, and may help.
+bool refine_again(int round, double before, double error) {
+  if (!std::isfinite(error) || error <= good_backward_error || round == most_refinements) return false;
+  return round == 0 || error <= 0.3 * before;  // else round-off: no more to gain
+}
+
+/// The largest force when the step begins: one that takes all load off ends with none to measure by.
+double most_force_at_start(const Bulk& bulk, const LocalTerms& local, const StepTarget& target,
+                           fields::State& state) {
+  if (largest(state.trial(displacement)) == 0) return std::max(largest(target.load), 1e-300);
+  return std::max({largest(target.load), largest(out_of_balance(bulk, local, target.load, state)), 1e-300});
+}
+
+/// What round-off does to the displacements, relative to the largest: K⁻¹ of the forces that it left.
+double forward_error(const Bulk& bulk, std::span<const double> left, double most_u, Index& worst) {
+  if (left.empty() || most_u == 0) return 0;
+  std::vector<double> change(left.size());
+  bulk.solver().solve(left, change);
+  worst = worst_unknown(change);
+  return largest(change) / most_u;
+}
 
 /// One solve, and refinements where its backward error asks for them.
 StepReport solve_linear(const Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
                         const StepTarget& target, fields::State& state) {
   StepReport report;
   const std::span<double> u = state.trial(displacement);
+  double most_u = largest(u);
+  const double most_force = most_force_at_start(bulk, local, target, state);
   for (std::size_t dof = 0; dof < u.size(); ++dof)
     if (constraints.held[dof]) u[dof] = target.prescribed[dof];
   if (!local.empty()) local.update_status(state, touched_values(local, u));
-  for (int round = 0; round <= most_refinements; ++round) {
+  std::vector<double> change;
+  for (int round = 0;; ++round) {
     const std::vector<double> residual = bulk_residual(bulk, target.load, state);
     std::vector<model::Iteration> rows;
-    const LocalResult result = correct(bulk, local, constraints, residual, state, rows);
+    const LocalResult result = correct(bulk, local, constraints, residual, state, rows, change);
     if (round == 0 || !result.converged || rows.size() > 1)
       report.iterations.insert(report.iterations.end(), rows.begin(), rows.end());
     if (!result.converged) {
-      report.reason = result.reason;
-      report.advice = result.singular
-                          ? "hold the body by a support in this stage, or load it so that its joints close"
-                          : "smaller cells along the joint, a softer contact (a smaller penalty factor), or "
-                            "the load spread over several stages";
-      report.singular = result.singular;
+      stop(result, report);
       return report;
     }
     const std::vector<double> left = out_of_balance(bulk, local, target.load, state);
-    const double free_most = largest(free_part(constraints, left));
-    const double force_scale = std::max({largest(target.load), largest(left), 1e-300});
-    report.residual = free_most / force_scale;
+    const std::vector<double> free = free_part(constraints, left);
+    report.residual = largest(free) / std::max(most_force, largest(left));
+    report.worst = worst_unknown(free);
+    most_u = std::max(most_u, largest(u));
     const double before = report.backward_error;
-    report.backward_error = free_most / std::max(bulk.norm() * largest(u) + largest(target.load), 1e-300);
-    if (!std::isfinite(report.backward_error)) break;
-    if (report.backward_error <= good_backward_error) break;
-    if (round > 0 && report.backward_error > 0.3 * before) break;  // round-off: no more to gain
+    report.backward_error = largest(free) / std::max(bulk.norm() * most_u + largest(target.load), 1e-300);
+    if (refine_again(round, before, report.backward_error)) continue;
+    report.converged = report.backward_error <= worst_backward_error;
+    if (!report.converged) refuse(report);
+    if (!report.converged || !local.empty()) return report;
+    report.forward_error = forward_error(bulk, free, most_u, report.worst);
+    report.converged = report.forward_error <= worst_forward_error;
+    if (!report.converged) refuse_barely_held(report);
+    return report;
   }
-  report.converged = report.backward_error <= worst_backward_error;
-  if (!report.converged) {
-    char text[120];
-    std::snprintf(text, sizeof text,
-                  "the linear system is too badly conditioned: its backward error stays at %.1e",
-                  report.backward_error);
-    report.reason = text;
-    report.advice =
-        "stiffnesses nearer to each other: a smaller penalty factor, moduli that differ less, "
-        "cells that are less thin";
-  }
-  return report;
 }
 
 /// The residual that a Newton step starts from. In the first, held dofs move to their places along the
@@ -162,15 +224,46 @@ std::vector<double> newton_residual(const Bulk& bulk, const StepTarget& target,
   return residual;
 }
 
-/// Measures what is out of balance after a Newton step and adds a row to the iteration table.
+/// A Newton correction.
+struct Correction {
+  LocalResult local;
+  double backward_error = 0;
+};
+
+/// K δ + c(u + δ) = −r with the tangent K that was factored, refined as in linear stages.
+Correction newton_correction(const Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
+                             const std::vector<double>& residual, fields::State& state) {
+  Correction found;
+  const double right = largest(free_part(constraints, residual));
+  std::vector<double> now = residual, change;
+  for (int round = 0;; ++round) {
+    std::vector<model::Iteration> rows;
+    found.local = correct(bulk, local, constraints, now, state, rows, change);
+    if (!found.local.converged || change.empty()) return found;
+    std::vector<double> product(change.size());
+    bulk.multiply(change, product);
+    now = residual;
+    for (std::size_t i = 0; i < product.size(); ++i) now[constraints.dof[i]] += product[i];
+    std::vector<double> left = now;
+    add_local_force(local, state, left);
+    // Local forces are those of the whole displacement, and round with it.
+    const double size = local.empty() ? largest(change) : largest(state.trial(displacement));
+    const double before = found.backward_error;
+    found.backward_error =
+        largest(free_part(constraints, left)) / std::max(bulk.norm() * size + right, 1e-300);
+    if (!refine_again(round, before, found.backward_error)) return found;
+  }
+}
+
+/// Measures what is out of balance after a Newton step against the largest force, at least `most_force`, and
+/// adds a row to the iteration table.
 void measure(const Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
-             const StepTarget& target, fields::State& state, StepReport& report, int number) {
+             const StepTarget& target, fields::State& state, double most_force, StepReport& report) {
   const std::vector<double> left = out_of_balance(bulk, local, target.load, state);
-  const double free_most = largest(free_part(constraints, left));
-  const double most = std::max({largest(target.load), largest(left), 1e-300});
-  report.residual = free_most / most;
-  report.backward_error =
-      free_most / std::max(bulk.norm() * largest(state.trial(displacement)) + largest(target.load), 1e-300);
+  const std::vector<double> free = free_part(constraints, left);
+  report.residual = largest(free) / std::max(largest(left), most_force);
+  report.worst = worst_unknown(free);
+  const int number = static_cast<int>(report.iterations.size()) + 1;
   report.iterations.push_back({1, number, report.residual, bulk.facts(state)});
 }
 
@@ -205,40 +298,53 @@ void shorten(const Bulk& bulk, const model::Constraints& constraints, const Step
   std::copy(best.begin(), best.end(), u.begin());
 }
 
+void tell_unsettled(StepReport& report) {
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "Newton's iteration does not settle: %.1e of the forces stay out of balance, most of them",
+                report.residual);
+  report.reason = text;
+  report.advice =
+      "the body may not carry this load: less of it, more strength, or displacements given in its place";
+}
+
 /// Newton with the tangent of the laws; local terms settle inside each step.
 StepReport solve_newton(Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
                         const StepTarget& target, fields::State& state) {
   StepReport report;
   double first = 0;
+  const double most_force = most_force_at_start(bulk, local, target, state);
   if (!local.empty()) local.update_status(state, touched_values(local, state.trial(displacement)));
   for (int number = 1; number <= most_newton_steps; ++number) {
     bulk.linearise(state);
     if (!bulk.report().done) {
       report.reason = "the tangent cannot be factored: " + bulk.report().reason;
+      report.advice = "see that supports hold every body; or the body may not carry this load";
+      report.worst = bulk.report().unknown;
       return report;
     }
     const std::vector<double> residual = newton_residual(bulk, target, constraints, state);
     const std::vector<double> before(state.trial(displacement).begin(), state.trial(displacement).end());
-    std::vector<model::Iteration> rows;
-    const LocalResult result = correct(bulk, local, constraints, residual, state, rows);
-    if (!result.converged) {
-      report.reason = result.reason;
-      report.singular = result.singular;
+    const Correction correction = newton_correction(bulk, local, constraints, residual, state);
+    if (!correction.local.converged) {
+      stop(correction.local, report);
+      return report;
+    }
+    report.backward_error = std::max(report.backward_error, correction.backward_error);
+    if (!(correction.backward_error <= worst_backward_error)) {
+      report.backward_error = correction.backward_error;
+      refuse(report);
       return report;
     }
     if (local.empty() && number > 1)
       shorten(bulk, constraints, target, before, length(free_part(constraints, residual)), state);
-    measure(bulk, local, constraints, target, state, report, number);
+    measure(bulk, local, constraints, target, state, most_force, report);
     report.converged = report.residual <= newton_tolerance;
     if (report.converged) return report;
     if (number == 1) first = report.residual;
     if (!std::isfinite(report.residual) || report.residual > diverged * first) break;
   }
-  char text[120];
-  std::snprintf(text, sizeof text,
-                "Newton's iteration does not settle: %.1e of the forces stay out of balance",
-                report.residual);
-  report.reason = text;
+  tell_unsettled(report);
   return report;
 }
 

@@ -15,9 +15,13 @@ struct StepTarget {
 struct StepReport {
   bool converged = false;
   std::string reason, advice;
-  bool singular = false;      ///< a body is free to move: smaller steps cannot help
-  double residual = 0;        ///< ‖forces out of balance in free dofs‖∞ over the largest nodal force
+  bool singular = false;  ///< a body is free to move: smaller steps cannot help
+  Index worst = -1;       ///< if not converged: the unknown whose forces balance least, or that broke down
+  double residual = 0;  ///< ‖forces out of balance in free dofs‖∞ over the largest nodal force, at the
+                        ///< step's start or end
   double backward_error = 0;  ///< of the linear solve: ‖r‖∞ / (‖K‖∞ ‖u‖∞ + ‖f‖∞)
+  double forward_error = 0;   ///< what round-off does to the displacements, relative to the largest; linear
+                              ///< stages without local terms only
   std::vector<model::Iteration> iterations;
 };
 

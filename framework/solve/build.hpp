@@ -34,4 +34,7 @@ void check_support(const model::Model& model, const model::Scene& scene, const m
 std::string loose_bodies(const model::Model& model, const model::Scene& scene,
                          const model::Constraints& constraints);
 
+/// "(x, y)" of the node that carries a dof of the displacement, for messages.
+std::string place_of_dof(const model::Model& model, mesh::Index dof);
+
 }  // namespace ashlar::solve

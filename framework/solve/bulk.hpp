@@ -35,6 +35,7 @@ class Bulk {
   bool serves(const BulkTerms& terms, const model::Constraints& constraints,
               std::span<const Index> touched) const;
   bool linear() const { return terms_.nonlinear.empty(); }
+  bool symmetric() const { return terms_.symmetric(); }
 
   const algebra::FactorReport& report() const { return report_; }
   const algebra::LinearSolver& solver() const { return *solver_; }
@@ -47,6 +48,8 @@ class Bulk {
   /// force += tangent · direction at the trial state, over all dofs.
   void add_tangent_product(fields::State& state, std::span<const double> direction,
                            std::span<double> force) const;
+  /// y = K x over the free unknowns with the tangent that was factored last. Nonlinear terms only.
+  void multiply(std::span<const double> x, std::span<double> y) const { algebra::multiply(matrix_, x, y); }
   /// Numbers of the nonlinear terms for the iteration table.
   std::vector<std::pair<std::string, double>> facts(const fields::State& state) const;
   /// ‖K‖∞ over the free unknowns, for backward errors.

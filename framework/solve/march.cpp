@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 #include "core/ledger.hpp"
@@ -9,6 +10,7 @@
 #include "model/place.hpp"
 #include "solve/advance.hpp"
 #include "solve/build.hpp"
+#include "solve/condition.hpp"
 #include "solve/sections.hpp"
 #include "solve/stage_results.hpp"
 
@@ -22,8 +24,11 @@ constexpr int most_cuts = 6;
 // Loads and reactions of a solved stage agree to round-off, some 1e-14; this is far off.
 constexpr double poor_balance = 1e-8;
 
-// Forces below this share of ‖K‖ ‖u‖ are next to nothing: a balance of them says nothing.
-constexpr double negligible = 1e-8;
+// Displacements that lost ten of their sixteen digits are said.
+constexpr double poor_forward_error = 1e-6;
+
+// Where nothing loads, reactions below this share of ‖K‖ ‖u‖ are next to nothing: their balance says nothing.
+constexpr double negligible = 1e-6;
 // Displacements beyond this share of the model's size turn and stretch it visibly.
 constexpr double large_share = 0.02;
 
@@ -125,7 +130,7 @@ class March {
     Bulk& bulk = bulk_for(ready, local, result);
     if (!bulk.report().done) {
       result.converged = false;
-      result.reason = bulk.report().reason;
+      result.reason = bulk.report().reason + at_unknown(ready.constraints, bulk.report().unknown);
       result.advice = "see that supports hold every body; if memory ran out, take fewer cells";
       return result;
     }
@@ -133,8 +138,13 @@ class March {
     state_ = start.state;
     state_.revert();
     if (!step_through(bulk, local, ready, start, result)) return result;
-    finish(s, bulk, local, result);
+    finish(s, start, bulk, local, result);
     return result;
+  }
+
+  /// " at (x, y)" of an unknown; nothing for -1.
+  std::string at_unknown(const model::Constraints& constraints, Index unknown) const {
+    return unknown < 0 ? "" : " at " + place_of_dof(in_.model, constraints.dof[unknown]);
   }
 
   /// Load steps from the start to the stage's end: one if it converges, else halved and grown again.
@@ -159,6 +169,7 @@ class March {
         result.iterations.push_back(std::move(row));
       }
       result.backward_error = report.backward_error;
+      result.forward_error = report.forward_error;
       if (report.converged) {
         state_.commit();
         reached = to;
@@ -170,7 +181,7 @@ class March {
       size /= 2;
       if ((bulk.linear() && local.empty()) || report.singular || size < std::ldexp(1.0, -most_cuts)) {
         result.converged = false;
-        result.reason = report.reason;
+        result.reason = report.reason + at_unknown(ready.constraints, report.worst);
         result.advice = report.advice;
         if (report.singular) result.reason += loose_bodies(in_.model, in_.scene, ready.constraints);
         if (reached > 0)
@@ -190,11 +201,8 @@ class March {
       if (!constraints.in_place[dof] || !constraints.at_value[dof]) continue;
       // Both say the same if they differ by round-off of displacements at hand.
       if (std::abs(from[dof] - constraints.value[dof]) <= 1e-12 * std::abs(from[dof])) continue;
-      const mesh::Mesh& mesh = in_.model.mesh;
-      const geometry::Point at = mesh.points[std::min(dof / 2, mesh.point_count() - 1)];
       result.converged = false;
-      result.reason = "the point (" + core::format_quantity(at.x, {1, 0, 0}) + ", " +
-                      core::format_quantity(at.y, {1, 0, 0}) + ") is fixed where it is, displaced by " +
+      result.reason = "the point " + place_of_dof(in_.model, dof) + " is fixed where it is, displaced by " +
                       core::format_quantity(from[dof], {1, 0, 0}) + ", and by another support held at " +
                       core::format_quantity(constraints.value[dof], {1, 0, 0});
       result.advice = "leave one of the two supports out of this stage";
@@ -203,7 +211,8 @@ class March {
     return true;
   }
 
-  void finish(std::size_t s, const Bulk& bulk, const LocalTerms& local, model::StageResult& result) {
+  void finish(std::size_t s, const Ended& start, const Bulk& bulk, const LocalTerms& local,
+              model::StageResult& result) {
     const auto timing = core::ledger().time("recover");
     const Prepared& ready = prepared_[s];
     result.sections = begin_sections(in_.model);
@@ -218,7 +227,12 @@ class March {
                           core::format_quantity(largest, {1, 0, 0}) + ", " +
                           std::to_string(static_cast<int>(100 * largest / in_.model.length)) +
                           " % of the model: small-displacement theory, which is used, no longer holds");
+    if (condition_wanted())
+      result.condition = condition_estimate(bulk, local, state_, ready.constraints.unknowns());
+    warn_of_round_off(result);
     const std::vector<double> forces = out_of_balance(bulk, local, ready.load, state_);
+    // Where all load is taken off, what is left is round-off of the forces that were.
+    for (const double u : start.state.committed(displacement)) largest = std::max(largest, std::abs(u));
     result.balance = balance(in_.model, in_.scene.stages[s],
                              {ready.terms, ready.constraints, forces, negligible * bulk.norm() * largest});
     add_section_forces(bulk, ready, result);
@@ -238,6 +252,19 @@ class March {
     const std::vector<double> outside =
         out_of_balance(bulk, LocalTerms({}, ready.constraints), ready.load, state_);
     finish_sections({in_.model, ready.terms, state_, outside}, result.sections);
+  }
+
+  bool condition_wanted() const {
+    const core::Settings::Entry* entry = in_.scene.root.find("condition_estimate");
+    return entry && entry->value.boolean() && *entry->value.boolean();
+  }
+
+  static void warn_of_round_off(const model::StageResult& result) {
+    if (result.forward_error < poor_forward_error) return;
+    char text[120];
+    std::snprintf(text, sizeof text, "': round-off changes displacements by some %.0e of the largest",
+                  result.forward_error);
+    core::log().warning("stage '" + result.name + text);
   }
 
   /// Frees the states that no later stage starts from.

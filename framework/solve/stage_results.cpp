@@ -129,7 +129,9 @@ model::Balance balance(const model::Model& model, const model::StageData& stage,
     sums.reactions.emplace_back(stage.supports[s].name, each);
   }
   if (model.axisymmetric()) keep_axial(sums, left);
-  const double scale = std::max({absolute, reaction_absolute, forces.round_off_scale, 1e-300});
+  // Without loads, reactions may be nothing but round-off.
+  const double least = absolute > 0 ? absolute : forces.round_off_scale;
+  const double scale = std::max({least, reaction_absolute, 1e-300});
   sums.relative_error = std::max(std::hypot(left.x, left.y), std::abs(left.moment) / model.length) / scale;
   return sums;
 }

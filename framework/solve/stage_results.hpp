@@ -11,7 +11,7 @@ struct StageForces {
   const model::Terms& terms;
   const model::Constraints& constraints;
   std::span<const double> out_of_balance;  ///< by dof: reactions in held dofs [N]
-  double round_off_scale;  ///< forces far below this are round-off of those inside the body [N]
+  double round_off_scale;  ///< where nothing loads: reactions far below this are round-off [N]
 };
 
 /// Sums loads by effect and reactions by support.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/polygon.hpp"
 #include "model/free_motions.hpp"
 #include "solve/build.hpp"
 
@@ -69,6 +70,24 @@ std::string loose_bodies(const model::Model& model, const model::Scene& scene,
              scene.regions[model.mesh.cell_region[body.first_cell]].name + "' can " + motions;
   }
   return words;
+}
+
+std::string place_of_dof(const model::Model& model, Index dof) {
+  const mesh::Mesh& mesh = model.mesh;
+  const fields::Field& field = model.dofs.field();
+  geometry::Point at;
+  if (dof < model.dofs.of_edge(0)) {
+    at = mesh.points[dof / field.width];
+  } else if (dof < model.dofs.of_cell(0)) {
+    const Index edge = (dof - model.dofs.of_edge(0)) / (field.width * field.per_edge);
+    const auto [from, to] = mesh.edge_points[edge];
+    at = 0.5 * (mesh.points[from] + mesh.points[to]);
+  } else {
+    std::vector<geometry::Point> corners;
+    mesh.corners((dof - model.dofs.of_cell(0)) / (field.width * field.per_cell), corners);
+    at = geometry::centroid(corners);
+  }
+  return "(" + core::format_quantity(at.x, {1, 0, 0}) + ", " + core::format_quantity(at.y, {1, 0, 0}) + ")";
 }
 
 }  // namespace ashlar::solve

@@ -111,12 +111,12 @@ void Umfpack::make_schur() {
   for (Index k = 0; k < kept_; ++k) schur_.col(k) -= to_kept_ * solve_inside(from_kept_.col(k));
 }
 
-Eigen::VectorXd Umfpack::solve_inside(const Eigen::VectorXd& right) const {
+Eigen::VectorXd Umfpack::solve_inside(const Eigen::VectorXd& right, bool transposed) const {
   Eigen::VectorXd x(inside_);
   if (inside_ == 0) return x;
   const OneThread one_thread;
-  if (umfpack_di_solve(UMFPACK_A, column_start_.data(), row_.data(), value_.data(), x.data(), right.data(),
-                       numeric_, nullptr, nullptr) < 0)
+  if (umfpack_di_solve(transposed ? UMFPACK_At : UMFPACK_A, column_start_.data(), row_.data(), value_.data(),
+                       x.data(), right.data(), numeric_, nullptr, nullptr) < 0)
     throw std::bad_alloc();
   return x;
 }
@@ -125,6 +125,12 @@ void Umfpack::solve(std::span<const double> b, std::span<double> x) const {
   assert(kept_ == 0);
   const Eigen::Map<const Eigen::VectorXd> right(b.data(), inside_);
   Eigen::Map<Eigen::VectorXd>(x.data(), inside_) = solve_inside(right);
+}
+
+void Umfpack::solve_transposed(std::span<const double> b, std::span<double> x) const {
+  assert(kept_ == 0);
+  const Eigen::Map<const Eigen::VectorXd> right(b.data(), inside_);
+  Eigen::Map<Eigen::VectorXd>(x.data(), inside_) = solve_inside(right, true);
 }
 
 // `work` is the right-hand side itself.

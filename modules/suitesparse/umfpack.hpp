@@ -22,6 +22,7 @@ class Umfpack final : public algebra::LinearSolver {
                std::span<const Index> node) override;
   algebra::FactorReport factor(const algebra::SymmetricMatrix& matrix) override;
   void solve(std::span<const double> b, std::span<double> x) const override;
+  void solve_transposed(std::span<const double> b, std::span<double> x) const override;
   const Eigen::MatrixXd& schur() const override { return schur_; }
   Eigen::VectorXd condense(std::span<const double> b, std::vector<double>& work) const override;
   void expand(const std::vector<double>& work, const Eigen::VectorXd& kept_values,
@@ -33,7 +34,7 @@ class Umfpack final : public algebra::LinearSolver {
   void scatter(const algebra::SymmetricMatrix& matrix);
   void add_entry(Index row, Index column, double value, std::vector<Index>& next);
   void make_schur();
-  Eigen::VectorXd solve_inside(const Eigen::VectorXd& right) const;
+  Eigen::VectorXd solve_inside(const Eigen::VectorXd& right, bool transposed = false) const;
 
   std::vector<Index> inner_;  ///< by unknown: number among the interior ones, or −1 − number among the kept
   Index inside_ = 0, kept_ = 0;

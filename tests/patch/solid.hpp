@@ -107,8 +107,10 @@ class Solid {
         constraints.unknown[dof] = constraints.unknowns();
         constraints.dof.push_back(dof);
       }
-    solve::Bulk factored(model, {{bulk}, {}}, constraints, {},
-                         std::make_unique<suitesparse::Cholesky>(suitesparse::Method::automatic));
+    std::unique_ptr<algebra::LinearSolver> solver =
+        std::make_unique<suitesparse::Cholesky>(suitesparse::Method::automatic);
+    if (wrap) solver = wrap(std::move(solver));
+    solve::Bulk factored(model, {{bulk}, {}}, constraints, {}, std::move(solver));
     failure = factored.report().reason;
     if (!factored.report().done) return {};
     report = solve::advance(factored, {}, constraints, {load, constraints.value}, state);
@@ -136,6 +138,8 @@ class Solid {
   fields::State state;
   solve::StepReport report;
   std::string failure;
+  /// Puts another solver around the own one.
+  std::function<std::unique_ptr<algebra::LinearSolver>(std::unique_ptr<algebra::LinearSolver>)> wrap;
 };
 
 }  // namespace ashlar::patch

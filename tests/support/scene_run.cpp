@@ -23,7 +23,8 @@ double SceneRun::value(const std::string& stage_name, const std::string& probe,
   throw std::runtime_error("no probe '" + probe + "'");
 }
 
-SceneRun run_scene(const std::filesystem::path& scene, const ParameterValues& set) {
+SceneRun run_scene(const std::filesystem::path& scene, const ParameterValues& set,
+                   const std::function<void(app::Scenario&, model::Model&)>& adjust) {
   // The program looks beside itself; tests lie elsewhere in the build.
   setenv("ASHLAR_MODULES", ASHLAR_BINARY_DIR "/modules", 0);
   setenv("ASHLAR_SCRIPTS", ASHLAR_SOURCE_DIR "/scripts", 0);
@@ -35,11 +36,12 @@ SceneRun run_scene(const std::filesystem::path& scene, const ParameterValues& se
   core::Mistakes mistakes;
   run.model = solve::build_model(parts.scene, parts.registry, mistakes);
   mistakes.throw_if_any();
+  if (adjust) adjust(parts, run.model);
   solve::Observer silent;
   run.result = solve::march({parts.scene, parts.plan, run.model, parts.registry, parts.effects}, silent);
   if (!run.result.converged)
-    throw std::runtime_error("stage '" + run.result.stages.back().name +
-                             "' did not converge: " + run.result.stages.back().reason);
+    throw std::runtime_error("stage '" + run.result.stages.back().name + "' did not converge: " +
+                             run.result.stages.back().reason + "; " + run.result.stages.back().advice);
   return run;
 }
 

@@ -2,6 +2,7 @@
 // A scene run in this process, as `ashlar run` does it but without files.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,8 +25,10 @@ struct SceneRun {
 };
 
 /// Reads, plans, builds and marches the scene in a file or folder, modules from the build. Throws InputError
-/// for mistakes and runtime_error if a stage does not converge.
-SceneRun run_scene(const std::filesystem::path& scene, const ParameterValues& set = {});
+/// for mistakes and runtime_error if a stage does not converge. `adjust` may change the scenario and its
+/// model before it is solved.
+SceneRun run_scene(const std::filesystem::path& scene, const ParameterValues& set = {},
+                   const std::function<void(app::Scenario&, model::Model&)>& adjust = {});
 
 /// examples/jointed_dam.
 std::filesystem::path jointed_dam();

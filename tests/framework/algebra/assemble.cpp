@@ -85,5 +85,25 @@ TEST(matrix, multiplies_and_measures_like_its_full_form) {
   EXPECT_LT((y - full * x).cwiseAbs().maxCoeff(), 1e-14 * norm);
 }
 
+TEST(matrix, multiplies_like_its_full_form_where_it_is_not_symmetric) {
+  const Adjacency groups = quad_groups(3, 2);
+  const Index size = quad_unknowns(3, 2);
+  const Adjacency* lists[] = {&groups};
+  SymmetricMatrix matrix{make_pattern(size, lists), {}};
+  matrix.value.resize(matrix.pattern.entries());
+  assemble(ScatterMap(matrix.pattern, groups), matrix.value, fill);
+  matrix.upper = matrix.value;
+  Eigen::MatrixXd full = testing::dense(matrix);
+  for (Index j = 0; j < size; ++j)
+    for (Index p = matrix.pattern.column_start[j] + 1; p < matrix.pattern.column_start[j + 1]; ++p)
+      full(j, matrix.pattern.row[p]) = matrix.upper[p] = 3 + 0.5 * p;
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(size, -1, 2);
+  Eigen::VectorXd y(size);
+  multiply(matrix, {x.data(), static_cast<std::size_t>(size)}, {y.data(), static_cast<std::size_t>(size)});
+  const double norm = full.cwiseAbs().rowwise().sum().maxCoeff();
+  EXPECT_NEAR(infinity_norm(matrix), norm, 1e-14 * norm);
+  EXPECT_LT((y - full * x).cwiseAbs().maxCoeff(), 1e-14 * norm);
+}
+
 }  // namespace
 }  // namespace ashlar::algebra

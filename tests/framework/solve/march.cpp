@@ -11,7 +11,7 @@ using toy::World;
 namespace {
 
 // Dofs of the square: point 2 is the upper right corner.
-constexpr toy::Index x2 = 4, y2 = 5, y3 = 7;
+constexpr toy::Index x2 = 4, y2 = 5, x3 = 6, y3 = 7;
 
 /// Two stages on a fixed bottom edge: a push of 10 N, then of 30 N at the upper right corner.
 World pushed_square() {
@@ -45,6 +45,78 @@ TEST(March, SolvesEachStageAndFactorsOnce) {
   EXPECT_NEAR(result.stages[1].balance.reaction.x, -30, 1e-12);
   // Moment of the push about the origin: −y f.
   EXPECT_NEAR(result.stages[1].balance.load.moment, -30, 1e-12);
+}
+
+TEST(March, TakesAllLoadOffAgain) {
+  World world = pushed_square();
+  world.contribute([&](const auto& context, auto& terms) {
+    terms.stiffness.push_back(world.springs);
+    if (context.stage.name == "first") terms.loads.push_back(std::make_shared<toy::PointLoad>(x2, 10));
+  });
+  const auto result = world.run();
+  ASSERT_TRUE(result.converged) << result.stages.back().reason;
+  EXPECT_LT(std::abs(World::u(result, 1, x2)), 1e-14 * std::abs(World::u(result, 0, x2)));
+  EXPECT_LT(result.stages[1].backward_error, 1e-14);
+  EXPECT_LT(result.stages[1].balance.relative_error, 1e-8);
+  EXPECT_LT(result.stages[0].forward_error, 1e-13);
+}
+
+TEST(March, RefusesWhatRoundOffSpoils) {
+  for (const double stiffness : {1e6, 1e14}) {
+    World world;
+    world.stage("push", -1).supports = {World::hold("square.bottom", 0, 0)};
+    world.springs = std::make_shared<toy::Springs>(world.model, 1);
+    const auto link = std::make_shared<toy::Link>(x2, x3, stiffness);
+    world.contribute([&](const auto&, auto& terms) {
+      terms.stiffness = {world.springs, link};
+      terms.loads.push_back(std::make_shared<toy::PointLoad>(x2, 10));
+    });
+    const auto result = world.run();
+    EXPECT_EQ(result.converged, stiffness == 1e6);
+    const auto& stage = result.stages.back();
+    if (result.converged) {
+      EXPECT_LT(stage.forward_error, 1e-8);
+      continue;
+    }
+    EXPECT_EQ(stage.reason.find("round-off alone changes displacements"), 0u) << stage.reason;
+    EXPECT_NE(stage.reason.find(" at ("), std::string::npos) << stage.reason;
+    EXPECT_NE(stage.advice.find("barely held"), std::string::npos) << stage.advice;
+  }
+}
+
+TEST(March, EstimatesTheConditionWhereAsked) {
+  // Of the upper four dofs' block; then with a stop on one of them, of stiffness 10.
+  for (const bool stopped : {false, true})
+    for (const bool asked : {false, true}) {
+      World world;
+      world.stage("push", -1).supports = {World::hold("square.bottom", 0, 0)};
+      world.springs = std::make_shared<toy::Springs>(world.model, 1);
+      ashlar::core::Settings::Entry entry;
+      entry.key = "condition_estimate";
+      entry.value = ashlar::core::make_value(asked);
+      world.scene.root.entries.push_back(entry);
+      const auto link = std::make_shared<toy::Link>(x2, x3, 1e6);
+      world.contribute([&](const auto& context, auto& terms) {
+        terms.stiffness = {world.springs, link};
+        if (stopped)
+          terms.local.push_back(
+              std::make_shared<toy::Stop>(context.state, y3, 10, [](double, bool) { return true; }));
+        terms.loads.push_back(std::make_shared<toy::PointLoad>(x2, 10));
+      });
+      const auto result = world.run();
+      ASSERT_TRUE(result.converged) << result.stages.back().reason;
+      Eigen::Matrix4d k = world.springs->matrix().bottomRightCorner<4, 4>();
+      k(0, 0) += 1e6, k(2, 2) += 1e6, k(0, 2) -= 1e6, k(2, 0) -= 1e6;
+      if (stopped) k(3, 3) += 10;
+      const auto norm = [](const Eigen::Matrix4d& a) { return a.cwiseAbs().colwise().sum().maxCoeff(); };
+      const double right = norm(k) * norm(k.inverse());
+      if (!asked) {
+        EXPECT_EQ(result.stages[0].condition, 0);
+        continue;
+      }
+      EXPECT_GT(result.stages[0].condition, 0.3 * right);
+      EXPECT_LT(result.stages[0].condition, 1.01 * right);
+    }
 }
 
 TEST(March, FactorsAgainWhenSupportsChange) {

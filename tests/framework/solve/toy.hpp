@@ -76,6 +76,31 @@ class Springs : public model::Stiffness {
   Eigen::Matrix<double, 8, 8> matrix_;
 };
 
+/// A spring between two dofs.
+class Link : public model::Stiffness {
+ public:
+  Link(Index a, Index b, double stiffness) : Stiffness("springs"), dofs_{a, b}, stiffness_(stiffness) {
+    groups_.append(dofs_);
+  }
+  const algebra::Adjacency& groups() const override { return groups_; }
+  void add_tangent(const algebra::ScatterMap& map, std::span<double> value) const override {
+    const auto where = map[0];
+    for (std::size_t i = 0; i < 3; ++i)
+      if (where[i] >= 0) value[where[i]] += i == 1 ? -stiffness_ : stiffness_;
+  }
+  void add_internal_force(std::span<const double> u, std::span<double> force) const override {
+    const double pull = stiffness_ * (u[dofs_[0]] - u[dofs_[1]]);
+    force[dofs_[0]] += pull;
+    force[dofs_[1]] -= pull;
+  }
+  void add_results(const fields::State&, model::StageResult&) const override {}
+
+ private:
+  algebra::Adjacency groups_;
+  std::array<Index, 2> dofs_;
+  double stiffness_;
+};
+
 class PointLoad : public model::Load {
  public:
   PointLoad(Index dof, double force) : Load("push"), dof_(dof), force_(force) {}

@@ -49,6 +49,16 @@ TEST(umfpack, solves_as_a_dense_solver_does) {
   EXPECT_LT((given.full * x - given.right).norm(), 1e-13 * given.right.norm());
 }
 
+TEST(umfpack, solves_with_the_transposed_matrix) {
+  const Unsymmetric given;
+  Umfpack solver;
+  solver.analyse(given.matrix.pattern, {}, {});
+  ASSERT_TRUE(solver.factor(given.matrix).done);
+  Eigen::VectorXd x(given.right.size());
+  solver.solve_transposed(given.load(), {x.data(), static_cast<std::size_t>(x.size())});
+  EXPECT_LT((given.full.transpose() * x - given.right).norm(), 1e-13 * given.right.norm());
+}
+
 TEST(umfpack, kept_unknowns_get_their_schur_complement) {
   const Unsymmetric given;
   const std::vector<Index> kept = {3, 4, 17, 40};

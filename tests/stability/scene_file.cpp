@@ -1,0 +1,101 @@
+#include "stability/scene_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <stdexcept>
+
+#include <unistd.h>
+
+#include "core/error.hpp"
+
+namespace ashlar::stability {
+
+namespace fs = std::filesystem;
+
+test::SceneRun run_scene(const std::string& name, const test::ParameterValues& set, Fault fault,
+                         const MakeSolver& solver) {
+  const fs::path scene = fs::path(ASHLAR_SOURCE_DIR) / "tests" / "stability" / "scenes" / (name + ".lua");
+  return test::run_scene(scene, set, [&](app::Scenario& scenario, model::Model& model) {
+    model.element = with_fault(model.element, fault, model.mesh);
+    for (auto& law : model.materials) law = with_fault(law, fault);
+    if (!solver) return;
+    scenario.registry.add_schema({"solver", "planted", "", "", {}});
+    scenario.registry.add_make(
+        "solver", "planted",
+        std::function<algebra::MakeSolver>([solver](const core::Settings&) { return solver(); }));
+    scenario.scene.solver.name = "planted";
+  });
+}
+
+std::string stopped_by(const std::string& name, const test::ParameterValues& set, Fault fault,
+                       const MakeSolver& solver) {
+  try {
+    run_scene(name, set, fault, solver);
+    return {};
+  } catch (const core::InputError& error) {
+    std::string words;
+    for (const core::Mistake& each : error.mistakes())
+      words += (words.empty() ? "" : " ") + each.what + "; " + each.advice;
+    return words;
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+MeshFile::MeshFile(const mesh::RawMesh& raw) {
+  static int count = 0;
+  file_ = fs::temp_directory_path() /
+          ("ashlar-stability-" + std::to_string(getpid()) + "-" + std::to_string(count++) + ".vtk");
+  std::ofstream out(file_);
+  out << "# vtk DataFile Version 3.0\nA hard mesh\nASCII\nDATASET POLYDATA\nPOINTS " << raw.points.size()
+      << " double\n"
+      << std::setprecision(17);
+  for (const geometry::Point p : raw.points) out << p.x << ' ' << p.y << " 0\n";
+  std::size_t corners = 0;
+  for (mesh::Index c = 0; c < raw.cell_points.size(); ++c) corners += raw.cell_points[c].size();
+  out << "POLYGONS " << raw.cell_points.size() << ' '
+      << corners + static_cast<std::size_t>(raw.cell_points.size()) << '\n';
+  for (mesh::Index c = 0; c < raw.cell_points.size(); ++c) {
+    out << raw.cell_points[c].size();
+    for (const mesh::Index p : raw.cell_points[c]) out << ' ' << p;
+    out << '\n';
+  }
+  if (!out.flush()) throw std::runtime_error("cannot write " + file_.string());
+}
+
+MeshFile::~MeshFile() {
+  std::error_code ignored;
+  fs::remove(file_, ignored);
+}
+
+double worst_balance(const model::RunResult& result) {
+  double worst = 0;
+  for (const auto& stage : result.stages) worst = std::max(worst, stage.balance.relative_error);
+  return worst;
+}
+
+double worst_backward_error(const model::RunResult& result) {
+  double worst = 0;
+  for (const auto& stage : result.stages) worst = std::max(worst, stage.backward_error);
+  return worst;
+}
+
+const std::vector<double>& values(const model::StageResult& stage, const std::string& field) {
+  for (const model::FieldResult& each : stage.fields)
+    if (each.name == field) return each.values;
+  throw std::runtime_error("no field '" + field + "'");
+}
+
+double relative_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) throw std::runtime_error("fields of different sizes");
+  double most = 0, scale = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    most = std::max(most, std::abs(a[i] - b[i]));
+    scale = std::max(scale, std::abs(b[i]));
+  }
+  return most / scale;
+}
+
+}  // namespace ashlar::stability
