@@ -110,7 +110,9 @@ TEST_P(Degree, polynomials_are_exact_without_stabilisation) {
       for (int degree = 1; degree <= order; ++degree)
         fields.push_back(kolosov(degree, mu, nu, Plane::strain));
       for (const Exact& exact : fields) {
-        const Errors found = patch_test(mesh, element, exact, law, tolerance[order - 1]);
+        // Round-off in changes of volume weighs λ/μ times as much: 5000 at ν = 0.4999.
+        const Errors found =
+            patch_test(mesh, element, exact, law, tolerance[order - 1] * (nu > 0.4 ? 10 : 1));
         worst.displacement = std::max(worst.displacement, found.displacement);
         worst.stress = std::max(worst.stress, found.stress);
       }
