@@ -35,7 +35,6 @@ SectionForces in_balance(const std::vector<Point>& line) {
   std::ranges::reverse(free_part);
   free_part.insert(free_part.end(), {{10, 0}, {10, 2}});
   std::rotate(free_part.begin(), free_part.begin() + 1, free_part.end());
-  std::ranges::rotate(free_part, free_part.begin());
   const double area = std::abs(geometry::signed_area(free_part));
   const Point middle = 0.5 * (line.front() + line.back());
   const double loaded = 10 - line.back().x;
