@@ -204,21 +204,17 @@ class CutSum {
     }
   }
 
-  /// Border edges that the line crosses, or that end on its left in a place where it ends.
+  /// Border edges that the line crosses, and those on its left that end on it.
   std::vector<Index> held_edges() const {
     std::vector<Index> edges;
-    for (const LinePiece& piece : line_.pieces) {
-      if (piece.side != Side::crossed) continue;
-      for (const mesh::LineStation* end : {&piece.from, &piece.to})
-        for (const Index edge : model_.mesh.cell_edges[piece.cell]) {
-          const auto [a, b] = model_.mesh.edge_points[edge];
-          const bool meets =
-              edge == end->edge || (end->point >= 0 && (a == end->point || b == end->point) &&
-                                    line_.side(model_.mesh.points[a == end->point ? b : a]) > 0);
-          if (meets && model_.mesh.edge_cells[edge][1] < 0 && std::ranges::count(edges, edge) == 0)
-            edges.push_back(edge);
-        }
-    }
+    for (const mesh::TouchedCell& each : line_.cells)
+      for (const Index edge : model_.mesh.cell_edges[each.cell]) {
+        if (model_.mesh.edge_cells[edge][1] >= 0 || std::ranges::count(followed_, edge) > 0) continue;
+        const auto [a, b] = model_.mesh.edge_points[edge];
+        const bool ends_on_it = (line_.on_line[a] != 0) != (line_.on_line[b] != 0) &&
+                                line_.side(model_.mesh.points[line_.on_line[a] ? b : a]) > 0;
+        if (ends_on_it || cuts_of(each.cell, edge).size() > 2) edges.push_back(edge);
+      }
     return edges;
   }
 

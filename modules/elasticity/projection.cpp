@@ -1,11 +1,53 @@
 #include "elasticity/projection.hpp"
 
+#include <array>
 #include <cassert>
-#include <cmath>
 
 #include "geometry/polygon.hpp"
 
 namespace ashlar::elasticity {
+
+namespace {
+
+/// All monomials of degree ≤ 3 at ξ.
+std::array<double, most_displacements> monomials_at(Point xi) {
+  const double xx = xi.x * xi.x, xy = xi.x * xi.y, yy = xi.y * xi.y;
+  return {1, xi.x, xi.y, xx, xy, yy, xx * xi.x, xx * xi.y, xi.x * yy, yy * xi.y};
+}
+
+/// rows = lower⁻¹ rows.
+template <class Matrix>
+void solve_lower(const double* lower, Eigen::Index stride, Matrix& rows) {
+  for (Eigen::Index column = 0; column < rows.cols(); ++column) {
+    double* x = &rows(0, column);
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+      for (Eigen::Index j = 0; j < i; ++j) x[i] -= lower[j * stride + i] * x[j];
+      x[i] /= lower[i * stride + i];
+    }
+  }
+}
+
+/// Makes the rows orthonormal: Gram and Schmidt, each row twice, which is exact to round-off.
+template <class Matrix>
+void orthonormalise_rows(Matrix& rows) {
+  std::array<double, most_displacements> share{};
+  for (Eigen::Index a = 0; a < rows.rows(); ++a) {
+    for (int again = 0; again < 2; ++again) {
+      share.fill(0);
+      for (Eigen::Index j = 0; j < rows.cols(); ++j) {
+        const double* column = &rows(0, j);
+        for (Eigen::Index b = 0; b < a; ++b) share[static_cast<std::size_t>(b)] += column[b] * column[a];
+      }
+      for (Eigen::Index j = 0; j < rows.cols(); ++j) {
+        double* column = &rows(0, j);
+        for (Eigen::Index b = 0; b < a; ++b) column[a] -= share[static_cast<std::size_t>(b)] * column[b];
+      }
+    }
+    rows.row(a) /= rows.row(a).norm();
+  }
+}
+
+}  // namespace
 
 Projection::Projection(std::span<const Point> corners, int order) : frame(corners), order_(order) {
   std::vector<Point> local(corners.size());
@@ -25,7 +67,9 @@ Projection::Projection(std::span<const Point> corners, int order) : frame(corner
 void Projection::project_gradient(std::span<const Point> local, std::span<const Point> corners) {
   const int n = static_cast<int>(corners.size()), k = order_, size = monomials(k - 1);
   const int moments = n * k;  // where they begin among the scalar dofs
-  Eigen::MatrixXd x = Eigen::MatrixXd::Zero(size, moments + monomials(k - 2)), y = x;
+  auto &x = along_x, &y = along_y;
+  x.setZero(size, moments + monomials(k - 2));
+  y.setZero(size, moments + monomials(k - 2));
   const EdgeRule rule = edge_rule(k);
   for (int i = 0; i < n; ++i) {
     const int j = (i + 1) % n;
@@ -34,10 +78,10 @@ void Projection::project_gradient(std::span<const Point> local, std::span<const 
       const int dof = g == 0 ? i : g == k ? j : n + i * (k - 1) + g - 1;
       const Point xi = (1 - rule.at[g]) * local[i] + rule.at[g] * local[j];
       const double w = rule.weight[g] / frame.area;
+      const auto m = monomials_at(xi);
       for (int b = 0; b < size; ++b) {
-        const double m = w * monomial(b, xi);
-        x(b, dof) += m * edge.y;
-        y(b, dof) -= m * edge.x;
+        x(b, dof) += w * m[static_cast<std::size_t>(b)] * edge.y;
+        y(b, dof) -= w * m[static_cast<std::size_t>(b)] * edge.x;
       }
     }
   }
@@ -50,24 +94,24 @@ void Projection::project_gradient(std::span<const Point> local, std::span<const 
       y(b, moments + number_of(p, q - 1)) -= q / frame.yy;
     }
   }
-  along_x = factor_.triangularView<Eigen::Lower>().solve(x);
-  along_y = factor_.triangularView<Eigen::Lower>().solve(y);
+  solve_lower(factor_.data(), factor_.rows(), x);
+  solve_lower(factor_.data(), factor_.rows(), y);
 }
 
 void Projection::project_dofs(std::span<const Point> local) {
   const int n = static_cast<int>(local.size()), k = order_, size = monomials(k);
-  Eigen::MatrixXd dofs(n * k + monomials(k - 2), size);
+  range.resize(size, n * k + monomials(k - 2));
   const EdgeRule rule = edge_rule(k);
   for (int i = 0; i < n; ++i)
     for (int g = 0; g < k; ++g) {
       const Point xi = (1 - rule.at[g]) * local[i] + rule.at[g] * local[(i + 1) % n];
-      for (int a = 0; a < size; ++a) dofs(g == 0 ? i : n + i * (k - 1) + g - 1, a) = monomial(a, xi);
+      const auto m = monomials_at(xi);
+      const int dof = g == 0 ? i : n + i * (k - 1) + g - 1;
+      for (int a = 0; a < size; ++a) range(a, dof) = m[static_cast<std::size_t>(a)];
     }
   for (int c = 0; c < monomials(k - 2); ++c)
-    for (int a = 0; a < size; ++a) dofs(n * k + c, a) = mass_(a, c);
-  const Eigen::MatrixXd q = Eigen::HouseholderQR<Eigen::MatrixXd>(dofs).householderQ() *
-                            Eigen::MatrixXd::Identity(dofs.rows(), size);
-  rest = Eigen::MatrixXd::Identity(dofs.rows(), dofs.rows()) - q * q.transpose();
+    for (int a = 0; a < size; ++a) range(a, n * k + c) = mass_(a, c);
+  orthonormalise_rows(range);
 }
 
 Eigen::VectorXd Projection::orthonormal(Point xi) const {

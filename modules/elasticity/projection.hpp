@@ -10,15 +10,18 @@
 
 namespace ashlar::elasticity {
 
+/// The most monomials: order 3.
+inline constexpr int most_strains = 6, most_displacements = 10;
+
 class Projection {
  public:
   Projection(std::span<const Point> corners, int order);
 
   Frame frame;
   /// Π∂_x v and Π∂_y v: coefficients (by orthonormal polynomials of degree ≤ k−1) × scalar dofs.
-  Eigen::MatrixXd along_x, along_y;
-  /// I − P of the scalar dofs.
-  Eigen::MatrixXd rest;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_strains> along_x, along_y;
+  /// Orthonormal rows that span the scalar dofs of all polynomials of degree ≤ k: P = rangeᵀ range.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_displacements> range;
 
   /// Values at ξ of the orthonormal polynomials: their mean product over the cell is 1 or 0.
   Eigen::VectorXd orthonormal(Point xi) const;
@@ -28,8 +31,10 @@ class Projection {
   void project_dofs(std::span<const Point> local);
 
   int order_;
-  Eigen::MatrixXd mass_;  ///< mean of m_α m_β, degrees ≤ k and ≤ k−2 or ≤ k−1 both
-  Eigen::MatrixXd factor_;
+  /// Mean of m_α m_β, degrees ≤ k and ≤ k−2 or ≤ k−1 both.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_displacements, most_strains>
+      mass_;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_strains, most_strains> factor_;
 };
 
 }  // namespace ashlar::elasticity

@@ -1,21 +1,25 @@
 #pragma once
-// An array on the stack for the usual cells, on the heap for cells of very many corners.
+// An array on the stack for the usual cells, on the heap for cells of very many corners. Its entries have no
+// values at first: filling all the room that a cell might need would cost as much as the element.
 
-#include <array>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace ashlar::elasticity {
 
 template <class T, std::size_t most = 32>
 class Scratch {
+  // Bytes become such entries by being assigned.
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
  public:
   explicit Scratch(std::size_t size) : size_(size) {
     if (size > most) many_.resize(size);
   }
-  T* data() { return size_ > most ? many_.data() : few_.data(); }
-  const T* data() const { return size_ > most ? many_.data() : few_.data(); }
+  T* data() { return size_ > most ? many_.data() : reinterpret_cast<T*>(few_); }
+  const T* data() const { return size_ > most ? many_.data() : reinterpret_cast<const T*>(few_); }
   T& operator[](std::size_t i) { return data()[i]; }
   const T& operator[](std::size_t i) const { return data()[i]; }
   std::size_t size() const { return size_; }
@@ -24,7 +28,7 @@ class Scratch {
 
  private:
   std::size_t size_;
-  std::array<T, most> few_;
+  alignas(T) std::byte few_[most * sizeof(T)];
   std::vector<T> many_;
 };
 

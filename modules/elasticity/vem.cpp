@@ -41,7 +41,7 @@ double operator*(const Row& a, const Row& b) {
 
 /// Rows of Y = diag(d) X − ½ W M with M = Xᵀ diag(d) X. With P = X Wᵀ this gives
 /// (I−P)ᵀ diag(d) (I−P) = diag(d) − Y Wᵀ − W Yᵀ: six products an entry instead of matrix products.
-Scratch<Row> residual_rows(const CellShape& shape, std::span<const double> d) {
+void residual_rows(const CellShape& shape, std::span<const double> d, std::span<Row> rows) {
   const std::size_t n = d.size();
   double m = 0, mxx = 0, mxy = 0, myy = 0;
   Point mx;
@@ -53,7 +53,6 @@ Scratch<Row> residual_rows(const CellShape& shape, std::span<const double> d) {
     mxy += d[i] * x.x * x.y;
     myy += d[i] * x.y * x.y;
   }
-  Scratch<Row> rows(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Point x = shape.offset[i], g = shape.slope[i];
     const double w = shape.mean[i];
@@ -61,17 +60,16 @@ Scratch<Row> residual_rows(const CellShape& shape, std::span<const double> d) {
     rows[i].slope.x = d[i] * x.x - 0.5 * (mx.x * w + mxx * g.x + mxy * g.y);
     rows[i].slope.y = d[i] * x.y - 0.5 * (mx.y * w + mxy * g.x + myy * g.y);
   }
-  return rows;
 }
 
 /// t (I−P)ᵀ diag(d)⊗T (I−P), entry by entry: at(i, k) t.
 struct Residual {
   Residual(const CellShape& cell_shape, const Material& material, double thickness,
            const Stabilisation& stabilisation)
-      : shape(cell_shape), d(cell_shape.slope.size()), y(0) {
+      : shape(cell_shape), d(cell_shape.slope.size()), y(d.size()) {
     t = stabilisation.weigh(shape, material, d);
     t = {thickness * t.xx, thickness * t.xy, thickness * t.yy};
-    y = residual_rows(shape, d);
+    residual_rows(shape, d, y);
   }
   double at(std::size_t i, std::size_t k) const {
     const Row w_i{shape.mean[i], shape.slope[i]}, w_k{shape.mean[k], shape.slope[k]};

@@ -29,38 +29,78 @@ void set_rows(const Projection& projection, const Eigen::VectorXd& at, Integrati
   }
 }
 
-/// One "point" for each orthonormal polynomial: Σ area t B_βᵀ D B_β is then the exact integral for a constant
-/// D.
-void coefficients(const Projection& projection, double thickness, IntegrationPoints& points) {
-  const auto size = static_cast<int>(projection.along_x.rows());
-  points.resize(size, static_cast<int>(2 * projection.along_x.cols()));
-  for (int b = 0; b < size; ++b) {
-    points.weight[static_cast<std::size_t>(b)] = projection.frame.area * thickness;
-    set_rows(projection, Eigen::VectorXd::Unit(size, b), points, b);
+/// t (I−P)ᵀ diag(d) (I−P) of the scalar dofs, entry by entry. With P = QᵀQ and Y = Q diag(d) − ½ (Q diag(d)
+/// Qᵀ) Q it is diag(d) − YᵀQ − QᵀY.
+template <int size>
+class Rest {
+ public:
+  Rest(const Projection& projection, const Stabilisation& stabilisation, const Material& law,
+       double thickness)
+      : q_(projection.range), d_(q_.cols()) {
+    const Eigen::VectorXd slope =
+        projection.frame.area *
+        (projection.along_x.colwise().squaredNorm() + projection.along_y.colwise().squaredNorm()).transpose();
+    const auto dofs = static_cast<std::size_t>(slope.size());
+    stabilisation.weigh_dofs(law, {slope.data(), dofs}, {d_.data(), dofs});
+    d_ *= thickness;
+    y_ = q_ * d_.asDiagonal();
+    const Eigen::Matrix<double, size, size> middle = y_.lazyProduct(q_.transpose());
+    y_ -= 0.5 * middle.lazyProduct(q_);
+  }
+  double at(Eigen::Index i, Eigen::Index k) const {
+    return (i == k ? d_[i] : 0) - y_.col(i).dot(q_.col(k)) - q_.col(i).dot(y_.col(k));
+  }
+
+ private:
+  Eigen::Matrix<double, size, Eigen::Dynamic> q_, y_;
+  Eigen::VectorXd d_;
+};
+
+/// packed += the rest. Row 2i+c of the packed triangle begins at (2i+c)(2i+c+1)/2; only equal components
+/// couple.
+template <int size>
+void add_rest(const Rest<size>& rest, std::size_t dofs, std::span<double> packed) {
+  double* row = packed.data();
+  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(dofs); ++i) {
+    double* row_y = row + 2 * i + 1;
+    for (Eigen::Index k = 0; k <= i; ++k) {
+      const double s = rest.at(i, k);
+      row[2 * k] += s;
+      row_y[2 * k + 1] += s;
+    }
+    row = row_y + 2 * i + 2;
   }
 }
 
-IntegrationPoints& scratch() {
-  thread_local IntegrationPoints points;
-  return points;
-}
-
-void add_rest(const Projection& projection, const Stabilisation& stabilisation, const Material& law,
-              double thickness, std::span<double> packed) {
-  const Eigen::VectorXd slope =
-      (projection.along_x.colwise().squaredNorm() + projection.along_y.colwise().squaredNorm()).transpose() *
-      projection.frame.area;
-  std::vector<double> d(static_cast<std::size_t>(slope.size()));
-  stabilisation.weigh_dofs(law, {slope.data(), d.size()}, d);
-  const Eigen::Map<const Eigen::VectorXd> weight(d.data(), slope.size());
-  const Eigen::MatrixXd s = thickness * projection.rest.transpose() * weight.asDiagonal() * projection.rest;
-  // Row 2i+c of the packed triangle begins at (2i+c)(2i+c+1)/2; only equal components couple.
-  for (Eigen::Index i = 0; i < s.rows(); ++i)
-    for (Eigen::Index c = 0; c < 2; ++c) {
-      const Eigen::Index row = 2 * i + c;
-      double* entries = packed.data() + row * (row + 1) / 2;
-      for (Eigen::Index k = 0; k <= i; ++k) entries[2 * k + c] += s(i, k);
+/// packed = |E| t Σ_β B_βᵀ D B_β + the rest: β counts the orthonormal polynomials, so this is the exact
+/// integral for a constant D.
+template <int strains, int displacements>
+void fill_stiffness(const Projection& projection, const Rest<displacements>& rest, const model::Tangent& d,
+                    double volume, std::span<double> packed) {
+  const Eigen::Matrix<double, strains, Eigen::Dynamic> along_x = volume * projection.along_x,
+                                                       along_y = volume * projection.along_y;
+  double* row_x = packed.data();
+  for (Eigen::Index i = 0; i < along_x.cols(); ++i) {
+    double* row_y = row_x + 2 * i + 1;
+    const Eigen::Matrix<double, strains, 1> x = along_x.col(i), y = along_y.col(i);
+    for (Eigen::Index k = 0; k <= i; ++k) {
+      const double* x_k = &projection.along_x(0, k);
+      const double* y_k = &projection.along_y(0, k);
+      double xx = 0, xy = 0, yx = 0, yy = 0;
+      for (int b = 0; b < strains; ++b) {
+        xx += x[b] * x_k[b];
+        xy += x[b] * y_k[b];
+        yx += y[b] * x_k[b];
+        yy += y[b] * y_k[b];
+      }
+      const double s = rest.at(i, k);
+      row_x[2 * k] = d[0] * xx + d[2] * xy + d[8] * yx + d[10] * yy + s;
+      if (k < i) row_x[2 * k + 1] = d[1] * xy + d[2] * xx + d[9] * yy + d[10] * yx;
+      row_y[2 * k] = d[4] * yx + d[6] * yy + d[8] * xx + d[10] * xy;
+      row_y[2 * k + 1] = d[5] * yy + d[6] * yx + d[9] * xy + d[10] * xx + s;
     }
+    row_x = row_y + 2 * i + 2;
+  }
 }
 
 }  // namespace
@@ -111,17 +151,22 @@ void VemHigh::integrate(const Cell& cell, IntegrationPoints& points) const {
 }
 
 void VemHigh::add_stabilisation(const Cell& cell, const Material& law, std::span<double> packed) const {
-  add_rest(Projection(cell.corners, order_), *stabilisation_, law, cell.thickness, packed);
+  const Projection projection(cell.corners, order_);
+  const auto dofs = static_cast<std::size_t>(projection.range.cols());
+  if (order_ == 2)
+    add_rest(Rest<6>(projection, *stabilisation_, law, cell.thickness), dofs, packed);
+  else
+    add_rest(Rest<10>(projection, *stabilisation_, law, cell.thickness), dofs, packed);
 }
 
 void VemHigh::stiffness(const Cell& cell, const Material& law, std::span<double> packed) const {
   const Projection projection(cell.corners, order_);
-  IntegrationPoints& points = scratch();
-  coefficients(projection, cell.thickness, points);
-  std::fill(packed.begin(), packed.end(), 0.0);
   const model::Tangent tangent = law.respond({}, {}, {}).tangent;
-  for (int b = 0; b < points.size(); ++b) model::add_tangent(points, b, tangent, packed);
-  add_rest(projection, *stabilisation_, law, cell.thickness, packed);
+  const double t = cell.thickness, volume = projection.frame.area * t;
+  if (order_ == 2)
+    fill_stiffness<3>(projection, Rest<6>(projection, *stabilisation_, law, t), tangent, volume, packed);
+  else
+    fill_stiffness<6>(projection, Rest<10>(projection, *stabilisation_, law, t), tangent, volume, packed);
 }
 
 void VemHigh::add_internal_force(const Cell& cell, const Material& law, std::span<const double> u,

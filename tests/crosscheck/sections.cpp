@@ -35,7 +35,6 @@ SectionForces in_balance(const std::vector<Point>& line) {
   std::ranges::reverse(free_part);
   free_part.insert(free_part.end(), {{10, 0}, {10, 2}});
   std::rotate(free_part.begin(), free_part.begin() + 1, free_part.end());
-  std::ranges::rotate(free_part, free_part.begin());
   const double area = std::abs(geometry::signed_area(free_part));
   const Point middle = 0.5 * (line.front() + line.back());
   const double loaded = 10 - line.back().x;
@@ -181,6 +180,28 @@ TEST(Section, along_a_joint_carries_what_is_put_on_and_across_it_nothing_is_lost
   EXPECT_EQ(across.rows.back().piece, 1);
   EXPECT_LT(across.difference, 0.06);
 }
+
+class Standing : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+// Reactions come by nodes; each line divides those of the edge that it crosses, or ends on.
+TEST_P(Standing, divides_the_reactions_of_its_base_where_the_line_meets_it) {
+  const SceneRun run =
+      run_scene(scene("standing"), {{"mesh", GetParam().first}, {"order", GetParam().second}});
+  const double pressure = 1e6, round_off = 1e-9 * pressure * 10;
+  for (const SectionResult& each : run.stage("pressure").sections) {
+    SCOPED_TRACE(each.name);
+    const bool slanted = each.name == "slanted";
+    // On the slanted line σ_y = −p acts over 1 m across, at its middle.
+    const double along = 5 / std::hypot(1, 5), across = 1 / std::hypot(1, 5);
+    expect_forces(each.forces,
+                  slanted ? SectionForces{-pressure * across, -pressure * along, 0} : SectionForces{},
+                  round_off);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, Standing,
+                         testing::Values(std::pair{"voronoi", "1"}, std::pair{"voronoi", "2"},
+                                         std::pair{"quads", "1"}, std::pair{"quads", "3"}));
 
 // Lamé: σ_r = p a²/(b² − a²) (1 − b²/r²).
 TEST(Section, of_a_body_of_revolution_has_a_profile_and_no_resultants) {

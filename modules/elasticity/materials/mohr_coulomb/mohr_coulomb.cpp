@@ -5,7 +5,6 @@
 
 namespace ashlar::elasticity {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using model::Voigt;
 
