@@ -32,6 +32,17 @@ Tensor2 of_polygon(const CellShape& shape) {
   return {1 - share * (j.xx - least), -share * j.xy, 1 - share * (j.yy - least)};
 }
 
+/// 3/2 μ of each dof's share in the consistent stiffness, at least their mean.
+void diagonal_weights(const model::Material& material, std::span<const double> slope, std::span<double> d) {
+  double sum = 0;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    d[i] = 1.5 * material.shear_modulus() * slope[i];
+    sum += d[i];
+  }
+  // A corner between collinear short edges has next to no slope, yet needs a stiffness.
+  for (double& weight : d) weight = std::max(weight, sum / static_cast<double>(d.size()));
+}
+
 }  // namespace
 
 Tensor2 BendingStabilisation::weigh(const CellShape& shape, const model::Material& material,
@@ -42,9 +53,9 @@ Tensor2 BendingStabilisation::weigh(const CellShape& shape, const model::Materia
   return {scale * t.xx, scale * t.xy, scale * t.yy};
 }
 
-void BendingStabilisation::weigh_dofs(const model::Material& material, std::span<const double>,
+void BendingStabilisation::weigh_dofs(const model::Material& material, std::span<const double> slope,
                                       std::span<double> d) const {
-  std::fill(d.begin(), d.end(), material.shear_modulus());
+  diagonal_weights(material, slope, d);
 }
 
 void ShearStabilisation::weigh_dofs(const model::Material& material, std::span<const double>,
@@ -69,13 +80,7 @@ Tensor2 DiagonalStabilisation::weigh(const CellShape& shape, const model::Materi
 
 void DiagonalStabilisation::weigh_dofs(const model::Material& material, std::span<const double> slope,
                                        std::span<double> d) const {
-  double sum = 0;
-  for (std::size_t i = 0; i < d.size(); ++i) {
-    d[i] = 1.5 * material.shear_modulus() * slope[i];
-    sum += d[i];
-  }
-  // A corner between collinear short edges has next to no slope, yet needs a stiffness.
-  for (double& weight : d) weight = std::max(weight, sum / static_cast<double>(d.size()));
+  diagonal_weights(material, slope, d);
 }
 
 }  // namespace ashlar::elasticity

@@ -37,9 +37,11 @@ class Rest {
   Rest(const Projection& projection, const Stabilisation& stabilisation, const Material& law,
        double thickness)
       : q_(projection.range), d_(q_.cols()) {
-    const Eigen::VectorXd slope =
+    Eigen::VectorXd slope =
         projection.frame.area *
         (projection.along_x.colwise().squaredNorm() + projection.along_y.colwise().squaredNorm()).transpose();
+    // The means of v ξ and v η turn with the axes: only what they have together belongs to the cell.
+    if (size == monomials(3)) slope.tail<2>().setConstant(slope.tail<2>().mean());
     const auto dofs = static_cast<std::size_t>(slope.size());
     stabilisation.weigh_dofs(law, {slope.data(), dofs}, {d_.data(), dofs});
     d_ *= thickness;

@@ -44,18 +44,9 @@ class Slope : public testing::TestWithParam<Choice> {};
 
 TEST_P(Slope, is_that_of_theory_within_a_tenth) {
   const auto [family, order] = GetParam();
-  const Norms found = slopes(family, order, std::make_shared<elasticity::DiagonalStabilisation>());
+  const Norms found = slopes(family, order, std::make_shared<elasticity::BendingStabilisation>());
   EXPECT_NEAR(found.displacement, order + 1, 0.1);
   EXPECT_NEAR(found.energy, order, 0.1);
-}
-
-// Its errors begin higher and fall faster, towards the slopes of theory: no upper bound.
-TEST_P(Slope, is_no_less_with_the_default_stabilisation) {
-  const auto [family, order] = GetParam();
-  if (family == std::string("pegboard") || family == std::string("chevron")) GTEST_SKIP() << "much the same";
-  const Norms found = slopes(family, order, std::make_shared<elasticity::BendingStabilisation>());
-  EXPECT_GT(found.displacement, order + 0.9);
-  EXPECT_GT(found.energy, order - 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, Slope,

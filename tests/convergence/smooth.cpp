@@ -155,7 +155,7 @@ TEST(smooth, timoshenkos_cantilever) {
   const double inertia = 12.0 * 12 * 12 / 12, p = 1e6, l = 48, modulus = 30e9;
   const double tip =
       -(p * l * l * l / (3 * modulus * inertia) + (4 + 5 * 0.3) * p * 144 * l / (24 * modulus * inertia));
-  const double bounds[] = {0.02, 1e-4, 1e-10};
+  const double bounds[] = {0.02, 1e-4, 1e-8};  // of order 3: round-off times a condition of 4e7
   for (const char* mesh : {"quads", "voronoi"})
     for (const int order : {1, 2, 3}) {
       const SceneRun run =
