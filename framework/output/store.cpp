@@ -20,6 +20,11 @@ using mesh::Index;
 
 namespace {
 
+/// As a scene says it.
+std::string plane_word(model::Plane plane) {
+  return plane == model::Plane::strain ? "strain" : plane == model::Plane::stress ? "stress" : "axisymmetric";
+}
+
 // Column by column: what pandas, h5py and MATLAB read without knowing of structs.
 template <class Row, class Number>
 std::vector<Number> column(const std::vector<Row>& rows, Number (*value)(const Row&)) {
@@ -267,7 +272,7 @@ std::string store_bytes(const RunRecord& record, const std::string& date) {
   attribute(root, "format", std::string("ashlar results"));
   attribute(root, "format_version", store_format_version);
   attribute(root, "title", record.scene.title);
-  attribute(root, "plane", record.scene.root.text("plane"));
+  attribute(root, "plane", plane_word(record.scene.plane));
   attribute(root, "thickness", record.scene.thickness);
   attribute(root, "converged", record.result.converged ? 1 : 0);
   write_mesh(file, record.model.mesh);

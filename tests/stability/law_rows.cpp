@@ -116,8 +116,10 @@ Case locking_row() {
   row.run = [](Fault fault) {
     Outcome outcome;
     const double mu = 1e9;
-    for (const auto& [family, order] :
+    for (const auto& choice :
          {std::pair{"distorted", 1}, {"voronoi", 1}, {"distorted", 2}, {"voronoi", 2}, {"triangles", 2}}) {
+      const char* const family = choice.first;
+      const int order = choice.second;
       const mesh::Mesh mesh = convergence::family_mesh(family, 10);
       const auto errors = [&](double nu) {
         patch::Solid solid(mesh, std::make_shared<Elastic>(2 * mu * (1 + nu), nu, model::Plane::strain),

@@ -289,11 +289,26 @@ Sample make_sample(int fineness) {
   return sample;
 }
 
+namespace {
+
+/// Removed when the program ends.
+struct Folders {
+  std::vector<std::filesystem::path> made;
+  ~Folders() {
+    std::error_code ignored;
+    for (const auto& folder : made) std::filesystem::remove_all(folder, ignored);
+  }
+};
+
+}  // namespace
+
 std::filesystem::path fresh_folder(const std::string& name) {
+  static Folders folders;
   const auto folder =
       std::filesystem::temp_directory_path() / ("ashlar-" + name + "-" + std::to_string(::getpid()));
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
+  folders.made.push_back(folder);
   return folder;
 }
 

@@ -56,7 +56,10 @@ core::Settings settings(double nu, bool unit_weight, bool density) {
   return settings_of("elastic", {{"E", 1e9},
                                  {"nu", nu},
                                  {"unit_weight", unit_weight ? std::optional(24e3) : std::nullopt},
-                                 {"density", density ? std::optional(2400.0) : std::nullopt}});
+                                 {"density", density ? std::optional(2400.0) : std::nullopt},
+                                 {"cohesion", {}},
+                                 {"friction", {}},
+                                 {"tensile_strength", {}}});
 }
 
 TEST(elastic, refuses_what_has_no_solution_and_says_where) {
