@@ -98,7 +98,7 @@ compile() {
       if (tenth > told) { print "   " 10 * tenth " %"; fflush(); told = tenth }
       next
     }
-    { print; fflush() }' || fail "the build failed"
+    { print; fflush() }' || return 1
   ((SECONDS - from < 3)) || echo "   done in $((SECONDS - from)) s"
 }
 
@@ -106,19 +106,27 @@ build_program() {
   install_packages "${program_packages[@]}"
   # A folder that is configured with the tests stays so.
   [[ -f $build/build.ninja ]] || configure "$build" ASHLAR_TESTS=OFF
-  compile "$build" program "the program and its modules (some minutes, once)"
+  compile "$build" program "the program and its modules (some minutes, once)" || fail "the build failed"
 }
 
 build_tests() {
   install_packages "${program_packages[@]}" "${test_packages[@]}"
   configure "$build" ASHLAR_TESTS=ON
-  compile "$build" all "the program, its modules and the tests (some minutes, once)"
+  compile "$build" all "the program, its modules and the tests (some minutes, once)" || fail "the build failed"
+}
+
+# Sources that are compiled as one may clash in a name that the batches did not see: then each on its own.
+compile_sanitized() {
+  local what="the unit tests with address and undefined-behaviour sanitizers (some minutes, once)"
+  compile "$sanitized" unit_tests "$what" && return
+  configure "$sanitized" ASHLAR_BATCHES=OFF
+  compile "$sanitized" unit_tests "$what" || fail "the build failed"
 }
 
 run_tests() {
   build_tests
   configure "$sanitized" ASHLAR_TESTS=ON ASHLAR_SANITIZE=ON
-  compile "$sanitized" unit_tests "the unit tests with address and undefined-behaviour sanitizers (some minutes, once)"
+  compile_sanitized
   say "Running unit tests (plain and sanitized), example tests, format, lint and layer checks"
   ASHLAR_SANITIZED_BUILD=$sanitized ctest --test-dir "$build" --parallel "$(nproc)" --output-on-failure
 }

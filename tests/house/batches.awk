@@ -34,13 +34,21 @@ function include(folder, line, shared,    part, header, i, place, other) {
   }
 }
 # The word before a bracket, an equals sign or a line's end may be a name, until a body or a value begins.
-function names_of(line, names,    word) {
+function names_of(line, names,    word, rest) {
   if (line ~ /^(using|namespace|extern|#)/) return
   if (match(line, /^(class|struct|enum( class)?|union) +[A-Za-z_0-9]+/)) {
     word = substr(line, RSTART, RLENGTH)
     sub(/.* /, "", word)
     names[word]
     return
+  }
+  # Constants may share a line: a = 1, b = 2.
+  if (line ~ /^((static|inline) )?const/) {
+    rest = line
+    while (match(rest, /[A-Za-z_][A-Za-z_0-9]* = /)) {
+      names[substr(rest, RSTART, RLENGTH - 3)]
+      rest = substr(rest, RSTART + RLENGTH)
+    }
   }
   if (match(line, /[={]/)) line = substr(line, 1, RSTART)
   while (match(line, /[A-Za-z_][A-Za-z_0-9]* *(\(|=|\[|\{|;|$)/)) {
