@@ -82,9 +82,11 @@ TEST_P(Example, gives_its_expected_numbers) {
     const json results = json::parse(read(scratch / "results.json"));
     for (const core::Value& number : run.table()->find("numbers")->table()->items)
       check_number(results, *number.table());
-    // Round-off; near nu = 0.5 it weighs thousands of times as much.
+    // Round-off, unless the run says why it may be more.
+    const core::Value* balance = run.table()->find("balance");
+    const double bound = balance ? balance->quantity()->value : 1e-10;
     for (const json& stage : results.at("stages"))
-      EXPECT_LT(stage.at("balance").at("relative_error").get<double>(), 1e-8)
+      EXPECT_LT(stage.at("balance").at("relative_error").get<double>(), bound)
           << "loads and reactions of stage " << stage.at("name");
   }
 }

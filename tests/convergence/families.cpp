@@ -4,31 +4,12 @@
 #include <stdexcept>
 
 #include "meshing_voronoi/voronoi.hpp"
+#include "patch/voronoi_settings.hpp"
 #include "testing/meshes.hpp"
 
 namespace ashlar::convergence {
 
 namespace {
-
-core::Settings voronoi(int cells) {
-  core::Settings settings;
-  settings.kind = "mesh";
-  settings.name = "voronoi";
-  const auto add = [&](const char* key, std::optional<double> number) {
-    core::Settings::Entry entry;
-    entry.key = key;
-    if (number) entry.value = core::make_value(*number);
-    settings.entries.push_back(std::move(entry));
-  };
-  add("size", {});
-  add("refine", {});
-  add("cells", cells);
-  add("seed", 1);
-  add("iterations", 12);
-  add("grading", 0.3);
-  add("collapse", 0.08);
-  return settings;
-}
 
 /// Each quadrilateral cut in two.
 mesh::RawMesh cut_in_two(const mesh::RawMesh& quads) {
@@ -47,7 +28,8 @@ mesh::RawMesh cut_in_two(const mesh::RawMesh& quads) {
 }  // namespace
 
 mesh::RawMesh family_raw(const std::string& family, int n) {
-  if (family == "voronoi") return meshing_voronoi::generate(testing::square_domain(), voronoi(n * n));
+  if (family == "voronoi")
+    return meshing_voronoi::generate(testing::square_domain(), patch::voronoi_settings({n * n, 1, 12, 0.08}));
   if (family == "triangles") return cut_in_two(testing::distorted_square(n, 0.15));
   for (const testing::MeshFamily& each : testing::ugly_families())
     if (each.name == family) return each.make(n);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "meshing_voronoi/voronoi.hpp"
+#include "patch/voronoi_settings.hpp"
 #include "stability/hard_meshes.hpp"
 #include "stability/patch_run.hpp"
 #include "testing/meshes.hpp"
@@ -76,26 +77,6 @@ Case needle_row() {
   return row;
 }
 
-core::Settings voronoi_settings(int cells, int seed) {
-  core::Settings settings;
-  settings.kind = "mesh";
-  settings.name = "voronoi";
-  const auto add = [&](const char* key, std::optional<double> number) {
-    core::Settings::Entry entry;
-    entry.key = key;
-    if (number) entry.value = core::make_value(*number);
-    settings.entries.push_back(std::move(entry));
-  };
-  add("size", {});
-  add("refine", {});
-  add("cells", cells);
-  add("seed", seed);
-  add("iterations", 0);
-  add("grading", 0.3);
-  add("collapse", 0);
-  return settings;
-}
-
 Meshes regular_cells(int from, int to, int step) {
   Meshes meshes;
   for (int n = from; n <= to; n += step) meshes.push_back(regular_cell(n));
@@ -150,7 +131,7 @@ std::vector<Case> mesh_rows() {
         Meshes meshes;
         const mesh::Domain domain = square_domain();
         for (const int seed : {1, 2})
-          meshes.push_back(meshing_voronoi::generate(domain, voronoi_settings(80, seed)));
+          meshes.push_back(meshing_voronoi::generate(domain, patch::voronoi_settings({80, seed, 0})));
         return meshes;
       }));
   return rows;
