@@ -28,7 +28,10 @@ constexpr double poor_balance = 1e-8;
 constexpr double poor_forward_error = 1e-6;
 
 // Where nothing loads, reactions below this share of ‖K‖ ‖u‖ are next to nothing: their balance says nothing.
-constexpr double negligible = 1e-6;
+constexpr double negligible = 1e-8;
+// The same where neither loads nor moving supports act any more: all forces left are round-off of former
+// ones.
+constexpr double negligible_at_rest = 1e-6;
 // Displacements beyond this share of the model's size turn and stretch it visibly.
 constexpr double large_share = 0.02;
 
@@ -233,8 +236,9 @@ class March {
     const std::vector<double> forces = out_of_balance(bulk, local, ready.load, state_);
     // Where all load is taken off, what is left is round-off of the forces that were.
     for (const double u : start.state.committed(displacement)) largest = std::max(largest, std::abs(u));
+    const double share = at_rest(ready) ? negligible_at_rest : negligible;
     result.balance = balance(in_.model, in_.scene.stages[s],
-                             {ready.terms, ready.constraints, forces, negligible * bulk.norm() * largest});
+                             {ready.terms, ready.constraints, forces, share * bulk.norm() * largest});
     add_section_forces(bulk, ready, result);
     add_probes(in_.scene, in_.model, probe_points_, result);
     if (s == 0) warn_of_unread(in_.scene, result);
@@ -244,6 +248,11 @@ class March {
     add_extremes(in_.model, result);
     ended_.push_back({state_, ready.load});
     drop_unneeded(s);
+  }
+
+  static bool at_rest(const Prepared& stage) {
+    const auto none = [](double value) { return value == 0; };
+    return std::ranges::all_of(stage.load, none) && std::ranges::all_of(stage.constraints.value, none);
   }
 
   void add_section_forces(const Bulk& bulk, const Prepared& ready, model::StageResult& result) {
