@@ -21,7 +21,7 @@ struct Quantity {
 };
 
 /// A table of numbers, to and from a script's function: keyed if it has names (as many as values), else a
-/// list.
+/// list. One value of the empty name is no table but that number.
 struct NumberTable {
   std::vector<std::string> names;
   std::vector<double> values;

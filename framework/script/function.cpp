@@ -24,7 +24,10 @@ class ScriptFunction : public core::Function {
 
   void call_tables(std::span<const core::NumberTable> arguments,
                    std::span<core::NumberTable> results) const override {
-    const std::vector<double> shown = arguments.empty() ? std::vector<double>() : arguments.front().values;
+    std::vector<double> shown;
+    for (const core::NumberTable& argument : arguments)
+      if (shown.empty() || is_number(argument))
+        shown.insert(shown.end(), argument.values.begin(), argument.values.end());
     const auto failure = machine_->protect([&](lua_State* L) {
       luaL_checkstack(L, static_cast<int>(arguments.size()) + 4, "too many arguments");
       lua_rawgeti(L, LUA_REGISTRYINDEX, reference_);
@@ -88,7 +91,12 @@ class ScriptFunction : public core::Function {
     return unit.empty() ? "a pure number" : "a number in " + unit;
   }
 
+  static bool is_number(const core::NumberTable& table) {
+    return table.names.size() == 1 && table.names[0].empty();
+  }
+
   static void push(lua_State* L, const core::NumberTable& table) {
+    if (is_number(table)) return lua_pushnumber(L, table.values[0]);
     lua_newtable(L);
     for (std::size_t i = 0; i < table.values.size(); ++i) {
       lua_pushnumber(L, table.values[i]);
@@ -102,6 +110,10 @@ class ScriptFunction : public core::Function {
   // A list that should be empty need not be returned at all.
   void read(lua_State* L, int index, core::NumberTable& table, std::span<const double> arguments) const {
     if (table.values.empty() && lua_isnoneornil(L, index)) return;
+    if (is_number(table)) {
+      table.values[0] = result(L, index, arguments).value;
+      return;
+    }
     if (!lua_istable(L, index))
       throw error(place_,
                   std::string("must return tables, but returns ") +

@@ -155,7 +155,10 @@ Unknowns begin_with(const JointLaw& law, Status status, const PointMemory& memor
                     const Eigen::Vector2d& jump);
 
 /// Modules register laws as kinds "normal_law" and "friction".
-using MakeNormalLaw = std::shared_ptr<const NormalLaw>(const core::Settings& settings);
-using MakeFriction = std::shared_ptr<const Friction>(const core::Settings& settings);
+/// Null, and a mistake with its place, for what schemas cannot see. Only for settings that are complete.
+using MakeNormalLaw = std::shared_ptr<const NormalLaw>(const core::Settings& settings,
+                                                       core::Mistakes& mistakes);
+using MakeFriction = std::shared_ptr<const Friction>(const core::Settings& settings,
+                                                     core::Mistakes& mistakes);
 
 }  // namespace ashlar::contact

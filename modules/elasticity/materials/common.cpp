@@ -1,9 +1,5 @@
 #include "elasticity/materials/common.hpp"
 
-#include <cmath>
-#include <numbers>
-#include <sstream>
-
 namespace ashlar::elasticity {
 
 Weight read_weight(const core::Settings& settings) {
@@ -45,24 +41,6 @@ bool check_nu(const core::Settings& settings, model::Plane plane, core::Mistakes
   mistakes.add(settings.place_of("nu"), "nu = 0.5 has no volume change: plane strain has no solution for it",
                "take nu = 0.4999 (the elements do not lock), or plane = \"stress\"");
   return false;
-}
-
-std::optional<double> read_angle(const core::Settings& settings, const char* key, AngleRange range,
-                                 core::Mistakes& mistakes) {
-  constexpr double degree = std::numbers::pi / 180;
-  const double angle = settings.number(key);
-  // 90*u.deg may come out a rounding error beside the limit.
-  const double slack = 1e-12;
-  const double degrees = angle / degree;
-  const bool above = range.high_open ? degrees >= range.high - slack : degrees > range.high + slack;
-  if (degrees >= range.low - slack && !above) return angle;
-  std::ostringstream what, advice;
-  what << "must be " << (range.high_open ? "from " : "between ") << range.low << "° "
-       << (range.high_open ? "to below " : "and ") << range.high << "°, got " << degrees << "°";
-  if (angle > range.low && angle <= range.high)
-    advice << "a bare number is in radians: for " << angle << "° write " << angle << "*units.deg";
-  mistakes.add(settings.place_of(key), what.str(), advice.str());
-  return {};
 }
 
 }  // namespace ashlar::elasticity

@@ -1,9 +1,10 @@
 #pragma once
-// What the laws of this module share: weights, Hooke's isotropic law in four components, angles from scripts.
+// What the laws of this module share: weights, Hooke's isotropic law in four components.
 // Voigt order (xx, yy, xy, zz) with the engineering shear strain, tension positive.
 
 #include <optional>
 
+#include "core/readings.hpp"
 #include "model/material.hpp"
 
 namespace ashlar::elasticity {
@@ -36,13 +37,7 @@ model::Tangent stiffness(const Isotropic& moduli);
 /// False, and a mistake at nu, if nu = ½ leaves no solution out of plane stress.
 bool check_nu(const core::Settings& settings, model::Plane plane, core::Mistakes& mistakes);
 
-/// An angle [rad] between the limits (themselves allowed or not as `open` says), or nothing and a mistake.
-/// Scripts write 30*units.deg; a bare number is in radians, as SI has it.
-struct AngleRange {
-  double low = 0, high = 0;  ///< degrees
-  bool high_open = false;
-};
-std::optional<double> read_angle(const core::Settings& settings, const char* key, AngleRange range,
-                                 core::Mistakes& mistakes);
+using core::AngleRange;
+using core::read_angle;
 
 }  // namespace ashlar::elasticity

@@ -36,22 +36,6 @@ double asymmetry(const model::Tangent& d) {
   return most / std::max(greatest(d), 1e-300);
 }
 
-core::NumberTable read_parameters(const core::Settings& settings, core::Mistakes& mistakes) {
-  core::NumberTable parameters;
-  const core::Table* table = settings.has("parameters") ? settings.value("parameters").table() : nullptr;
-  if (!table) return parameters;
-  for (const auto& [name, value] : table->entries) {
-    const core::Quantity* number = value.quantity();
-    if (!number) {
-      mistakes.add(value.place, "must be a number, got " + value.type_name());
-      continue;
-    }
-    parameters.names.push_back(name);
-    parameters.values.push_back(number->value);
-  }
-  return parameters;
-}
-
 /// Strains of the size that rock knows, in all directions.
 constexpr std::array<Voigt, 5> trials = {{{0, 0, 0, 0},
                                           {1e-4, -3e-5, 5e-5, 0},
@@ -131,7 +115,7 @@ std::shared_ptr<const model::Material> make_lua_law(const core::Settings& settin
   if (!settings.has("variables") || !settings.has("symmetric")) return nullptr;
   const std::size_t before = mistakes.list().size();
   LuaLawData data{settings.value("stress").function(), settings.integer("variables"),
-                  settings.flag("symmetric"), read_parameters(settings, mistakes)};
+                  settings.flag("symmetric"), core::read_numbers(settings, "parameters", mistakes)};
   if (!data.stress || mistakes.list().size() > before) return nullptr;
   try {
     auto law = std::make_shared<LuaLaw>(std::move(data), plane, read_weight(settings));
