@@ -174,6 +174,17 @@ Index Domain::face_at(Point p) const {
   return -1;
 }
 
+double Domain::area() const {
+  double sum = 0;
+  for (const Segment& segment : segments) {
+    const double part =
+        0.5 * geometry::cross(points[segment.from] - points.front(), points[segment.to] - points.front());
+    if (segment.left >= 0) sum += part;
+    if (segment.right >= 0) sum -= part;
+  }
+  return sum;
+}
+
 Domain make_domain(const std::vector<RegionShape>& regions, const std::vector<JointLine>& joints,
                    double chord, core::Mistakes& mistakes) {
   constexpr double relative_snap = 1e-9;

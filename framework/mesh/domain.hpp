@@ -19,14 +19,16 @@ struct RegionShape {
   core::Place place;
 };
 
-/// A joint along a polyline, or along the common border of two regions.
+/// A joint along a polyline, along the common border of two regions, or where two bodies that are meshed
+/// apart meet.
 struct JointLine {
   std::string name;
-  std::vector<Point> path;           ///< empty for a joint between regions
+  std::vector<Point> path;           ///< empty for a joint of another kind
   std::vector<std::string> between;  ///< two regions, or empty
+  std::vector<std::string> faces;    ///< two borders of bodies that are meshed apart ("disc.rim"), or empty
   std::array<std::string, 2> sides = {"left",
                                       "right"};  ///< lip names: left of the path's direction, then right;
-                                                 ///< for `between`: first region's lip, second's
+                                                 ///< otherwise: the first region's lip, the second's
   std::array<bool, 2> weld = {false, false};     ///< keep the first/last end closed where it could open
   core::Place place;
 };
@@ -61,12 +63,14 @@ struct Domain {
   std::vector<std::vector<Point>> rings(Index face) const;
   /// The face that contains p (borders count as inside of one of them); -1 if none.
   Index face_at(Point p) const;
+  /// Of all faces [m²].
+  double area() const;
 };
 
 /// Arranges regions and joints. Arcs are replaced by chords no longer than `chord` (turning at most 7.5°).
 /// Mistakes found: self-crossing or empty region, regions that overlap, joint outside every region, joint
 /// between regions that do not touch, joint of no length, two borders of one name in a region that is not
-/// one.
+/// one. Joints that have `faces` are left alone: here no body is meshed apart.
 Domain make_domain(const std::vector<RegionShape>& regions, const std::vector<JointLine>& joints,
                    double chord, core::Mistakes& mistakes);
 

@@ -70,7 +70,7 @@ std::vector<JointSource> joint_sources(const std::vector<JointLine>& joints, Ind
   std::vector<JointSource> sources;
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const auto& joint = joints[j];
-    if (!joint.between.empty()) continue;
+    if (!joint.between.empty() || !joint.faces.empty()) continue;
     const bool finite = std::all_of(joint.path.begin(), joint.path.end(),
                                     [](Point p) { return std::isfinite(p.x) && std::isfinite(p.y); });
     if (!finite) {

@@ -12,7 +12,8 @@
 namespace ashlar::mesh {
 
 /// One mesh edge on a joint's lip. s is the arc length along the joint's path [m]; it grows from `from` to
-/// `to`.
+/// `to`. Where bodies are meshed apart, the path is the first lip itself, and s on the second lip is that of
+/// the projection onto the first: see face_lips.hpp.
 struct LipEdge {
   Index edge = -1;
   Index cell = -1;  ///< the one cell that it borders
@@ -20,11 +21,15 @@ struct LipEdge {
   double s_from = 0, s_to = 0;
 };
 
-/// A joint in the mesh: two lips that face each other, their edges ordered by s.
+/// A joint in the mesh: two lips that face each other, their edges ordered by s. Both run along the path, so
+/// that the first body is on the left of its lip's edges and the second on the right of its own.
 struct JointLips {
   std::string name;
   std::array<std::string, 2> sides;          ///< names of the lips
   std::array<std::vector<LipEdge>, 2> lips;  ///< [0]: left of the path's direction (or first region)
+  /// Lips of bodies that were meshed apart: their points do not coincide, and both have edges of their own
+  /// number. Otherwise edge i of one lip lies on edge i of the other.
+  bool apart = false;
 };
 
 struct Mesh {

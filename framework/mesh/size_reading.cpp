@@ -19,8 +19,15 @@ std::vector<double> read_map(const Domain& domain, const core::Table& map) {
 }
 
 void refine_joint(const Domain& domain, const std::string& name, SizeSource source, SizeField& field) {
+  const auto joint = std::find_if(domain.joints.begin(), domain.joints.end(),
+                                  [&](const JointLine& line) { return line.name == name; });
+  if (joint == domain.joints.end()) return;
+  const auto is_face = [&](const std::string& border) {
+    return std::ranges::count(joint->faces, border) > 0;
+  };
   for (const auto& segment : domain.segments) {
-    if (segment.joint < 0 || domain.joints[segment.joint].name != name) continue;
+    const bool follows = segment.joint == joint - domain.joints.begin();
+    if (!follows && std::ranges::none_of(segment.borders, is_face)) continue;
     source.a = domain.points[segment.from];
     source.b = domain.points[segment.to];
     field.add(source);

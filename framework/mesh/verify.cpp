@@ -88,25 +88,30 @@ class Checker {
     }
   }
 
+  void check_lip(const std::string& name, const std::vector<LipEdge>& lip, bool first) {
+    for (std::size_t i = 0; i < lip.size(); ++i) {
+      const LipEdge& edge = lip[i];
+      require(edge.s_from < edge.s_to, name + ": s does not grow along a lip");
+      require(i == 0 || edge.s_from >= lip[i - 1].s_from, name + ": not ordered");
+      const std::array<Index, 2> along{edge.from, edge.to}, against{edge.to, edge.from}, one{edge.cell, -1};
+      require(mesh_.edge_points[edge.edge] == (first ? along : against),
+              name + (first ? ": the first lip is not on the left" : ": the second lip is not on the right"));
+      require(mesh_.edge_cells[edge.edge] == one, name + ": a lip's edge has not exactly its cell");
+    }
+  }
+
   void check_joint(const JointLips& joint) {
     const std::string name = "joint " + joint.name;
+    for (int side = 0; side < 2; ++side) check_lip(name, joint.lips[side], side == 0);
+    if (joint.apart) return;
     require(joint.lips[0].size() == joint.lips[1].size(), name + ": lips of different lengths");
     if (joint.lips[0].size() != joint.lips[1].size()) return;
     for (std::size_t i = 0; i < joint.lips[0].size(); ++i) {
       const LipEdge &left = joint.lips[0][i], &right = joint.lips[1][i];
-      require(left.s_from < left.s_to && left.s_from == right.s_from && left.s_to == right.s_to,
-              name + ": lips do not face");
-      require(i == 0 || left.s_from >= joint.lips[0][i - 1].s_from, name + ": not ordered");
+      require(left.s_from == right.s_from && left.s_to == right.s_to, name + ": lips do not face");
       require(mesh_.points[left.from] == mesh_.points[right.from] &&
                   mesh_.points[left.to] == mesh_.points[right.to],
               name + ": lips lie apart");
-      const std::array<Index, 2> along{left.from, left.to}, against{right.to, right.from};
-      require(mesh_.edge_points[left.edge] == along, name + ": the first lip is not on the left");
-      require(mesh_.edge_points[right.edge] == against, name + ": the second lip is not on the right");
-      for (const LipEdge* lip : {&left, &right}) {
-        const std::array<Index, 2> one{lip->cell, -1};
-        require(mesh_.edge_cells[lip->edge] == one, name + ": a lip's edge has not exactly its cell");
-      }
     }
   }
 

@@ -92,15 +92,42 @@ std::vector<std::string> pair_of(const Settings& joint, const std::string& key, 
   return {};
 }
 
-JointData read_joint(const std::string& name, const Settings& joint, Mistakes& mistakes) {
+// "disc.rim" → "disc"; edge groups of a mesh file may have no region in their names.
+std::string region_of(const std::string& edge) {
+  return edge.substr(0, edge.find('.'));
+}
+
+// Words that name no edge at all are reported where all names are.
+void check_faces(const Settings& joint, const mesh::JointLine& line, const std::vector<RegionData>& regions,
+                 Mistakes& mistakes) {
+  if (line.faces.empty()) return;
+  const core::Place place = joint.place_of("faces");
+  if (joint.said("ends"))
+    mistakes.add(joint.place_of("ends"), "bodies that are meshed apart have no ends to weld", "leave it out");
+  const bool drawn = std::ranges::all_of(regions, &std::string::empty, &RegionData::mesh_group);
+  if (!drawn) return;
+  const std::array<std::string, 2> bodies = {region_of(line.faces[0]), region_of(line.faces[1])};
+  if (bodies[0] == bodies[1])
+    mistakes.add(place, "both edges belong to region '" + bodies[0] + "'",
+                 "give edges of two regions, or use `path` inside one");
+  for (const std::string& face : line.faces)
+    if (std::ranges::find(regions, region_of(face), &RegionData::name) == regions.end())
+      mistakes.add(place, "'" + face + "' is no edge of a region", "give two edges as region.edge");
+}
+
+JointData read_joint(const std::string& name, const Settings& joint, const std::vector<RegionData>& regions,
+                     Mistakes& mistakes) {
   JointData data{{}, joint};
   mesh::JointLine& line = data.line;
   line.name = name;
   line.place = joint.place;
   read_path(joint, line, mistakes);
   line.between = pair_of(joint, "between", mistakes);
+  line.faces = pair_of(joint, "faces", mistakes);
+  check_faces(joint, line, regions, mistakes);
   std::vector<std::string> sides = pair_of(joint, "sides", mistakes);
   if (sides.empty()) sides = line.between;
+  if (sides.empty() && !line.faces.empty()) sides = {region_of(line.faces[0]), region_of(line.faces[1])};
   if (!sides.empty()) line.sides = {sides[0], sides[1]};
   for (const std::string& side : line.sides) {
     const std::string why = bad_name(side);
@@ -120,7 +147,7 @@ std::vector<JointData> read_joints(const Settings& root, const std::vector<Regio
       if (region.name == name)
         mistakes.add(settings.place,
                      "a region is called '" + name + "' already; joints need their own names");
-    joints.push_back(read_joint(name, settings, mistakes));
+    joints.push_back(read_joint(name, settings, regions, mistakes));
   }
   return joints;
 }
@@ -167,7 +194,8 @@ bool any_mistake_in(const std::string& part, const Mistakes& mistakes) {
 // Parts that hold an undefined value are not whole, although their own place holds no mistake.
 bool is_whole_joint(const JointData& joint) {
   const core::Table* path = joint.settings.value("path").table();
-  return path ? joint.line.path.size() == path->items.size() : joint.line.between.size() == 2;
+  return path ? joint.line.path.size() == path->items.size()
+              : joint.line.between.size() == 2 || joint.line.faces.size() == 2;
 }
 
 bool can_be_arranged(const Scene& scene, const Mistakes& mistakes) {

@@ -90,17 +90,23 @@ Schema joint() {
       "joint",
       "joint",
       "Joint",
-      "A surface where the mesh is split: along a path, or along the border of two regions. Borders without "
-      "a joint are bonded.",
+      "A surface where the mesh is split, along a path or along the border of two regions; or two edges of "
+      "bodies that are meshed apart, each for itself, and meet by contact. Borders without a joint are "
+      "bonded.",
       {parameter("path", Form::list, "points of a polyline") |
            each(parameter("", Form::point, "") | in_metres()),
        parameter("between", Form::list, "two regions that share a border") |
            each(parameter("", Form::text, "") | refers("region")),
+       parameter("faces", Form::list,
+                 "two edges, as region.edge, of bodies that are meshed apart: they may touch, overlap a "
+                 "little or lie apart, and their points need not match. With a mesh file: two of its edge "
+                 "groups, without common points") |
+           each(parameter("", Form::text, "") | refers("edge")),
        parameter("sides", Form::list,
                  "names of the lips, left of the path first. Default: left and right, or the two regions") |
            each(parameter("", Form::text, "")),
        ends},
-      {{{"path", "between"}}}};
+      {{{"path", "between", "faces"}}}};
 }
 
 Schema refinement() {

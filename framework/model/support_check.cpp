@@ -43,6 +43,23 @@ void check_place(const mesh::Domain& domain, Point p, const core::Place& place, 
                             " from the nearest border");
 }
 
+/// The body that bears this border; -1 if none does.
+Index body_at(const mesh::Domain& domain, const std::vector<Index>& body, const std::string& border) {
+  for (const Segment& segment : domain.segments)
+    if (std::ranges::count(segment.borders, border) > 0)
+      return body[segment.left >= 0 ? segment.left : segment.right];
+  return -1;
+}
+
+/// Bodies that meet by contact may hold each other.
+void join_faces(const mesh::Domain& domain, std::vector<Index>& body) {
+  for (const mesh::JointLine& joint : domain.joints) {
+    if (joint.faces.size() != 2) continue;
+    const Index a = body_at(domain, body, joint.faces[0]), b = body_at(domain, body, joint.faces[1]);
+    if (a >= 0 && b >= 0) std::ranges::replace(body, std::max(a, b), std::min(a, b));
+  }
+}
+
 /// Bodies as numbers of faces.
 std::vector<Index> bodies_of(const mesh::Domain& domain) {
   std::vector<Index> body(domain.faces.size());
@@ -56,6 +73,7 @@ std::vector<Index> bodies_of(const mesh::Domain& domain) {
       a = b = std::min(a, b);
     }
   }
+  join_faces(domain, body);
   return body;
 }
 

@@ -7,7 +7,9 @@
 #include "core/ledger.hpp"
 #include "core/log.hpp"
 #include "geometry/polygon.hpp"
+#include "mesh/face_lips.hpp"
 #include "mesh/generator.hpp"
+#include "mesh/groups.hpp"
 #include "solve/sections.hpp"
 
 namespace ashlar::solve {
@@ -101,7 +103,16 @@ void check_cells(const model::Model& model, const model::Scene& scene, core::Mis
 
 }  // namespace
 
-mesh::Domain build_domain(const model::Scene& scene, core::Mistakes& mistakes) {
+namespace {
+
+std::vector<mesh::JointLine> joint_lines(const model::Scene& scene) {
+  std::vector<mesh::JointLine> lines;
+  for (const auto& joint : scene.joints) lines.push_back(joint.line);
+  return lines;
+}
+
+/// One domain for each group of bodies that are meshed together.
+std::vector<mesh::Domain> build_domains(const model::Scene& scene, core::Mistakes& mistakes) {
   std::vector<mesh::RegionShape> shapes;
   double length = 0;
   bool arcs = false;
@@ -111,16 +122,69 @@ mesh::Domain build_domain(const model::Scene& scene, core::Mistakes& mistakes) {
     length = std::max(length, shape_length(region.shape));
     arcs = arcs || has_arcs(region.shape);
   }
-  std::vector<mesh::JointLine> joints;
-  for (const auto& joint : scene.joints) joints.push_back(joint.line);
   // Chords of arcs are as long as cells, so that refining the mesh refines the arcs with it.
   const double chord = std::min(cell_size(scene, length * length / 2).value_or(length / 50), length / 4);
-  mesh::Domain domain = mesh::make_domain(shapes, joints, chord, mistakes);
+  std::vector<mesh::Domain> domains = mesh::make_domains(shapes, joint_lines(scene), chord, mistakes);
   if (arcs)
     core::log().info("arcs are drawn with chords of at most " + core::format_quantity(chord, {1, 0, 0}) +
                      " and 7.5°: smaller cells follow them closer");
-  for (const auto& probe : scene.probes) domain.named_points[probe.name] = probe.at;
-  return domain;
+  for (mesh::Domain& domain : domains)
+    for (const auto& probe : scene.probes) domain.named_points[probe.name] = probe.at;
+  return domains;
+}
+
+/// A wished number of cells is that of all bodies: each has its share by area.
+core::Settings share_of(core::Settings settings, double share) {
+  for (auto& entry : settings.entries)
+    if (const core::Quantity* number = entry.value.quantity(); entry.key == "cells" && number)
+      entry.value = core::make_value(std::max(1.0, std::round(number->value * share)), entry.value.place);
+  return settings;
+}
+
+/// The mesh of one body among several: what goes wrong is said of it.
+mesh::RawMesh generate_part(const std::function<mesh::GenerateMesh>& generate, const mesh::Domain& domain,
+                            const core::Settings& settings) {
+  try {
+    return generate(domain, settings);
+  } catch (const core::InputError& error) {
+    std::vector<core::Mistake> mistakes = error.mistakes();
+    for (auto& mistake : mistakes)
+      mistake.what = "'" + domain.regions.front() + "', meshed by itself: " + mistake.what;
+    throw core::InputError(std::move(mistakes));
+  }
+}
+
+mesh::Mesh build_mesh(const model::Scene& scene, const std::vector<mesh::Domain>& domains,
+                      core::Registry& registry, core::Mistakes& mistakes) {
+  const auto timing = core::ledger().time("mesh");
+  const auto generate = registry.make<mesh::GenerateMesh>("mesh", scene.mesh.name);
+  if (domains.size() == 1) {
+    mesh::RawMesh raw = generate(domains.front(), scene.mesh);
+    if (!raw.regions.empty()) name_file_regions(scene, raw, mistakes);
+    return mistakes.empty() ? mesh::build_mesh(std::move(raw), domains.front()) : mesh::Mesh{};
+  }
+  double area = 0;
+  for (const mesh::Domain& domain : domains) area += domain.area();
+  std::vector<mesh::Mesh> parts;
+  for (const mesh::Domain& domain : domains) {
+    const core::Settings settings = share_of(scene.mesh, domain.area() / area);
+    parts.push_back(mesh::build_mesh(generate_part(generate, domain, settings), domain));
+  }
+  std::vector<std::string> regions;
+  for (const auto& region : scene.regions) regions.push_back(region.name);
+  return mesh::merge(std::move(parts), regions);
+}
+
+void check_axis(const mesh::Mesh& mesh, double length, const model::Scene& scene, core::Mistakes& mistakes) {
+  if (std::ranges::all_of(mesh.points, [&](geometry::Point p) { return p.x >= -1e-9 * length; })) return;
+  mistakes.add(scene.mesh.place, "the mesh crosses the axis of revolution x = 0",
+               "an axisymmetric mesh is a half section with x >= 0");
+}
+
+}  // namespace
+
+mesh::Domain build_domain(const model::Scene& scene, core::Mistakes& mistakes) {
+  return mesh::together(build_domains(scene, mistakes));
 }
 
 std::vector<std::shared_ptr<const model::Material>> build_materials(const model::Scene& scene,
@@ -148,24 +212,12 @@ model::Model build_model(const model::Scene& scene, core::Registry& registry, co
       std::ranges::any_of(built.materials, [](const auto& law) { return law && !law->linear(); });
   built.element = registry.make<model::MakeElement>("element", scene.element.name)(
       scene.element, {scene.order, scene.plane, yielding}, mistakes);
-  const mesh::Domain domain = build_domain(scene, mistakes);
+  const std::vector<mesh::Domain> domains = build_domains(scene, mistakes);
   if (!mistakes.empty()) return built;
-
-  {
-    const auto timing = core::ledger().time("mesh");
-    const auto generate = registry.make<mesh::GenerateMesh>("mesh", scene.mesh.name);
-    mesh::RawMesh raw = generate(domain, scene.mesh);
-    if (!raw.regions.empty()) name_file_regions(scene, raw, mistakes);
-    if (!mistakes.empty()) return built;
-    built.mesh = mesh::build_mesh(std::move(raw), domain);
-  }
-  if (built.axisymmetric())
-    for (const geometry::Point p : built.mesh.points)
-      if (p.x < -1e-9 * domain.length) {
-        mistakes.add(scene.mesh.place, "the mesh crosses the axis of revolution x = 0",
-                     "an axisymmetric mesh is a half section with x >= 0");
-        break;
-      }
+  built.mesh = build_mesh(scene, domains, registry, mistakes);
+  if (!mistakes.empty()) return built;
+  mesh::add_face_joints(built.mesh, joint_lines(scene));
+  if (built.axisymmetric()) check_axis(built.mesh, mesh::together(domains).length, scene, mistakes);
   if (!mistakes.empty()) return built;
   check_cells(built, scene, mistakes);
   const model::NodeCounts nodes = built.element->nodes();

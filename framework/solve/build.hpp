@@ -11,7 +11,8 @@ namespace ashlar::solve {
 /// and those of materials and element go to `mistakes`; the model is of use only if there are none.
 model::Model build_model(const model::Scene& scene, core::Registry& registry, core::Mistakes& mistakes);
 
-/// The part of it that needs no mesh: the arranged regions and joints. `check` stops here.
+/// The part of it that needs no mesh: the arranged regions and joints. `check` stops here. Bodies that are
+/// meshed apart lie in it side by side.
 mesh::Domain build_domain(const model::Scene& scene, core::Mistakes& mistakes);
 
 /// The materials by region, and nothing else: mistakes of laws show without a mesh. Null where the settings

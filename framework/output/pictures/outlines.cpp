@@ -48,6 +48,8 @@ std::vector<std::vector<Index>> joint_lines(const mesh::Mesh& mesh) {
   for (const mesh::JointLips& joint : mesh.joints) {
     std::vector<std::array<Index, 2>> edges;
     for (const mesh::LipEdge& edge : joint.lips[0]) edges.push_back({edge.from, edge.to});
+    if (joint.apart)
+      for (const mesh::LipEdge& edge : joint.lips[1]) edges.push_back({edge.from, edge.to});
     for (auto& chain : chained(edges)) lines.push_back(std::move(chain));
   }
   return lines;

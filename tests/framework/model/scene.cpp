@@ -167,6 +167,25 @@ TEST(scene, words_that_name_nothing_are_reported_with_the_right_ones) {
             "there is no region 'blok'; did you mean 'block'? valid: block");
 }
 
+TEST(scene, faces_of_two_bodies_are_a_third_kind_of_joint) {
+  core::Registry kinds = registry();
+  const Value two = made("", {}, {{"block", square()}, {"lid", square("seat")}});
+  const auto with_faces = [&](const std::string& first, const std::string& second, Entries more = {}) {
+    more.emplace_back("faces", made("", {word(first), word(second)}));
+    return scene_with({{"geometry", two}, {"joints", made("", {}, {{"touch", made("Joint", {}, more)}})}});
+  };
+  const mesh::JointLine line = sound(with_faces("block.top", "lid.seat"), kinds).joints[0].line;
+  EXPECT_EQ(line.faces, (std::vector<std::string>{"block.top", "lid.seat"}));
+  EXPECT_EQ(line.sides, (std::array<std::string, 2>{"block", "lid"})) << "the regions name the lips";
+  EXPECT_TRUE(line.path.empty() && line.between.empty());
+  const Value sides = made("", {word("a"), word("b")});
+  EXPECT_EQ(mistakes_of(with_faces("block.top", "touch.b", {{"sides", sides}})),
+            "'touch.b' is no edge of a region; give two edges as region.edge");
+  EXPECT_EQ(mistakes_of(with_faces("block.top", "block.top")), "must be two different names");
+  EXPECT_EQ(mistakes_of(with_faces("lid.top", "lid.seat")),
+            "both edges belong to region 'lid'; give edges of two regions, or use `path` inside one");
+}
+
 TEST(scene, shapes_that_cannot_be_are_reported) {
   const auto with_corners = [](std::vector<Value> corners) {
     const Value polygon = made("Polygon", std::move(corners), {{"material", word("stone")}});

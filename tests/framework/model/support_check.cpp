@@ -71,6 +71,17 @@ TEST(support_check, each_body_needs_its_own) {
             "nothing holds 'dam' in stage 'weight': it can slide in x, slide in y and rotate");
 }
 
+TEST(support_check, contact_may_hold_bodies_that_are_meshed_apart) {
+  mesh::Domain domain = squares(1);
+  mesh::JointLine line;
+  line.name = "touch";
+  line.faces = {"rock.right", "dam.left"};
+  domain.joints.push_back(line);
+  EXPECT_EQ(complaint(domain, {held("rock.bottom", "xy")}), "");
+  EXPECT_EQ(complaint(domain, {held("rock.bottom", "y")}),
+            "nothing holds 'dam' with 'rock' in stage 'weight': it can slide in x");
+}
+
 TEST(support_check, a_box_holds_what_lies_in_it) {
   const mesh::Domain joined = squares(0);
   SupportData box = held("", "xy");
