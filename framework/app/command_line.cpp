@@ -133,7 +133,7 @@ std::string help_text() {
   ashlar check SCENE       report every mistake in a scene; nothing is computed
   ashlar plan SCENE        mesh a scene and say what would be simulated, what not, and at what size
   ashlar study STUDY       run a scene many times and tell what accuracy costs: table, JSON and a page with plots
-  ashlar drive FILE        lead a material law alone along a path of strains: table, CSV, picture
+  ashlar drive FILE        lead the law of a material or joint alone along a path: table, CSV, picture
   ashlar list [KIND]       what can be said in a script, by kind
   ashlar describe WORD     keys, units, defaults, ranges of a kind, an entry or a word: mesh, mesh.voronoi, Polygon, units
 

@@ -1,10 +1,11 @@
-// ashlar drive: a material law alone along a path of strains.
+// ashlar drive: the law of a material, or of a joint, alone along a path.
 
 #include <iostream>
 
 #include "app/host.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
+#include "output/drive_joint_output.hpp"
 #include "output/drive_output.hpp"
 #include "output/files.hpp"
 #include "output/transaction.hpp"
@@ -38,14 +39,47 @@ fs::path folder_of(const CommandLine& line) {
                                   : script.parent_path() / (script.stem().string() + "_drive");
 }
 
-std::vector<fs::path> write(const model::Drive& drive, const solve::DriveResult& result,
-                            const fs::path& folder) {
+/// What a drive left: its words, its table and picture, and how it ended.
+struct Outcome {
+  std::string csv, table;
+  output::Picture picture;
+  bool converged = true;
+  std::string reason, advice;
+};
+
+std::vector<fs::path> write(const Outcome& outcome, const fs::path& folder) {
   output::Transaction transaction(folder);
-  const output::Picture picture = output::drive_picture(drive, result);
-  output::write_file(transaction.file("drive.csv"), output::drive_csv(result));
-  output::write_file(transaction.file("drive.png"), output::png_bytes(picture));
-  output::write_file(transaction.file("drive.svg"), output::svg_bytes(picture));
+  output::write_file(transaction.file("drive.csv"), outcome.csv);
+  output::write_file(transaction.file("drive.png"), output::png_bytes(outcome.picture));
+  output::write_file(transaction.file("drive.svg"), output::svg_bytes(outcome.picture));
   return transaction.commit();
+}
+
+int finish(const CommandLine& line, const std::string& title, const Outcome& outcome) {
+  const auto files = write(outcome, folder_of(line));
+  if (!line.quiet) {
+    std::cout << title << "\n" << outcome.table;
+    for (const fs::path& file : files) std::cout << "  " << file.string() << '\n';
+  }
+  if (outcome.converged) return done;
+  std::cerr << "Not reached: " << outcome.reason << "\n    what to try: " << outcome.advice << '\n';
+  return not_converged;
+}
+
+int drive_material(const CommandLine& line, const model::Drive& drive) {
+  const solve::DriveResult result = solve::drive(drive);
+  return finish(
+      line, drive.title,
+      {output::drive_csv(result), output::drive_table(result), output::drive_picture(drive, result),
+       result.converged, result.reason, "a stress that the law can carry, or strains in its place"});
+}
+
+int drive_joint(const CommandLine& line, const model::Drive& drive) {
+  const solve::JointDriveResult result = solve::drive_joint(drive);
+  return finish(line, drive.title,
+                {output::drive_csv(drive, result), output::drive_table(result),
+                 output::drive_picture(drive, result), result.converged, result.reason,
+                 "a pressure and a shear that the laws can carry, or opening and slip in their place"});
 }
 
 }  // namespace
@@ -55,16 +89,7 @@ int drive(const CommandLine& line) {
   core::Registry registry = make_registry();
   script::ScriptResult script;
   const model::Drive drive = read_drive(line, registry, script);
-  const solve::DriveResult result = solve::drive(drive);
-  const auto files = write(drive, result, folder_of(line));
-  if (!line.quiet) {
-    std::cout << drive.title << "\n" << output::drive_table(result);
-    for (const fs::path& file : files) std::cout << "  " << file.string() << '\n';
-  }
-  if (result.converged) return done;
-  std::cerr << "Not reached: " << result.reason
-            << "\n    what to try: a stress that the law can carry, or strains in its place\n";
-  return not_converged;
+  return drive.joint ? drive_joint(line, drive) : drive_material(line, drive);
 }
 
 }  // namespace ashlar::app

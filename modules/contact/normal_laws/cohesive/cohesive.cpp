@@ -38,8 +38,8 @@ std::shared_ptr<const NormalLaw> make_cohesive(const core::Settings& settings, c
   };
   mistakes.add(
       settings.place_of("fracture_energy"),
-      "must exceed tensile_strength^2/(2 stiffness) = " + quantity(least, "J/m^2") +
-          ", which the joint stores before it begins to tear, got " + quantity(data.fracture_energy, "J/m^2"),
+      "must exceed tensile_strength^2/(2 stiffness) = " + quantity(least, "N/m") +
+          ", which the joint stores before it begins to tear, got " + quantity(data.fracture_energy, "N/m"),
       "more energy, or a stiffness above " +
           quantity(data.tensile_strength * data.tensile_strength / (2 * data.fracture_energy), "Pa/m"));
   return nullptr;
