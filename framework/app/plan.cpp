@@ -71,7 +71,8 @@ int plan(const CommandLine& line) {
   show_log(line.quiet);
   const auto scenario = read_scenario(line);
   core::Mistakes mistakes;
-  const model::Model model = solve::build_model(scenario->scene, scenario->registry, mistakes);
+  const model::Model model =
+      solve::build_model(scenario->scene, scenario->effects, scenario->registry, mistakes);
   mistakes.throw_if_any();
   tell_parts(*scenario, model);
   const model::Scene& scene = scenario->scene;

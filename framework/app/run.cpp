@@ -108,7 +108,8 @@ int run(const CommandLine& line) {
 
   progress.begin("meshing");
   core::Mistakes mistakes;
-  const model::Model model = solve::build_model(scenario->scene, scenario->registry, mistakes);
+  const model::Model model =
+      solve::build_model(scenario->scene, scenario->effects, scenario->registry, mistakes);
   mistakes.throw_if_any();
   const mesh::MeshReport mesh_report = mesh::report(model.mesh);
 

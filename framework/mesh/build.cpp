@@ -82,7 +82,10 @@ class Assembler {
     take_points(open_joints(raw_.cell_points, edges_, followed.joint_edges, domain_.joints,
                             static_cast<Index>(raw_.points.size())));
     number_edges();
-    for (const auto& [segment, edge] : followed.border_edges) name_border(domain_.segments[segment], edge);
+    for (const auto& [segment, edge] : followed.border_edges) {
+      name_border(domain_.segments[segment], edge);
+      if (domain_.segments[segment].arc) note_arc(domain_.segments[segment], edge);
+    }
     name_raw_edges();
     for (const auto& edge : followed.joint_edges) add_lips(edge);
     for (auto& [name, group] : mesh_.edge_groups) {
@@ -155,6 +158,17 @@ class Assembler {
     }
   }
 
+  void note_arc(const Domain::Segment& segment, Index old) {
+    const Point along = domain_.points[segment.to] - domain_.points[segment.from];
+    for (const Index edge : new_edges_[old]) {
+      if (edge < 0) continue;
+      const auto [a, b] = mesh_.edge_points[edge];
+      EdgeArc arc = *segment.arc;
+      if (dot(along, mesh_.points[b] - mesh_.points[a]) < 0) arc.counter_clockwise = !arc.counter_clockwise;
+      mesh_.arcs[edge] = arc;
+    }
+  }
+
   void name_raw_edges() {
     for (const auto& [name, pairs] : raw_.edge_groups) {
       auto& group = mesh_.edge_groups[name];
@@ -195,7 +209,8 @@ class Assembler {
                   mesh_.edge_points[edge][0],
                   mesh_.edge_points[edge][1],
                   joint_edge.s_from,
-                  joint_edge.s_to};
+                  joint_edge.s_to,
+                  arc_of(mesh_, edge, side == 1)};
       if (side == 1) std::swap(lip.from, lip.to);
       mesh_.joints.back().lips[side].push_back(lip);
       mesh_.edge_groups[line.name + "." + line.sides[side]].push_back(edge);

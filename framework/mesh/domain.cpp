@@ -70,18 +70,23 @@ void compose_sources(Arrangement& second, const Arrangement& first) {
   }
 }
 
-std::vector<std::string> border_names(const Domain& domain, const Domain::Segment& segment,
-                                      const std::vector<Index>& sources, const std::vector<FlatEdge>& edges) {
+// Names and the arc of the drawn edges that bound a region here.
+void take_borders(const Domain& domain, const std::vector<Index>& sources, const std::vector<FlatEdge>& edges,
+                  Domain::Segment& segment) {
   std::set<std::string> names;
   for (const Index source : sources) {
     const Index number = source_number(source);
-    if (number >= static_cast<Index>(edges.size()) || edges[number].name.empty()) continue;
-    const Index region = edges[number].region;
-    const bool bounds = (segment.left >= 0 && domain.faces[segment.left].region == region) !=
-                        (segment.right >= 0 && domain.faces[segment.right].region == region);
-    if (bounds) names.insert(domain.regions[region] + "." + edges[number].name);
+    if (number >= static_cast<Index>(edges.size())) continue;
+    const FlatEdge& edge = edges[number];
+    const bool bounds = (segment.left >= 0 && domain.faces[segment.left].region == edge.region) !=
+                        (segment.right >= 0 && domain.faces[segment.right].region == edge.region);
+    if (!bounds) continue;
+    if (!edge.name.empty()) names.insert(domain.regions[edge.region] + "." + edge.name);
+    if (!edge.arc || segment.arc) continue;
+    segment.arc = edge.arc;
+    if (source < 0) segment.arc->counter_clockwise = !edge.arc->counter_clockwise;
   }
-  return {names.begin(), names.end()};
+  segment.borders = {names.begin(), names.end()};
 }
 
 void fill_domain(Domain& domain, const Arrangement& arrangement, const std::vector<Index>& region,
@@ -100,7 +105,7 @@ void fill_domain(Domain& domain, const Arrangement& arrangement, const std::vect
     segment.to = s.to;
     segment.left = number[s.left];
     segment.right = number[s.right];
-    segment.borders = border_names(domain, segment, s.sources, flat.edges);
+    take_borders(domain, s.sources, flat.edges, segment);
     domain.segments.push_back(std::move(segment));
   }
 }
@@ -192,7 +197,7 @@ Domain make_domain(const std::vector<RegionShape>& regions, const std::vector<Jo
   for (const auto& region : regions) domain.regions.push_back(region.name);
   domain.joints = joints;
   domain.arc_chord = chord;
-  const FlatRegions flat = flatten(regions, chord, mistakes);
+  const FlatRegions flat = flatten(regions, faces_of(joints), chord, mistakes);
   std::vector<InputSegment> inputs;
   for (const auto& edge : flat.edges)
     inputs.push_back({edge.from, edge.to, static_cast<Index>(inputs.size())});

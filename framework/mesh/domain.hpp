@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "geometry/arrangement.hpp"
 #include "geometry/shape.hpp"
 #include "mesh/adjacency.hpp"
+#include "mesh/edge_arc.hpp"
 
 namespace ashlar::mesh {
 
@@ -41,8 +43,9 @@ struct Domain {
     std::vector<std::string>
         borders;       ///< names it carries: "rock.bottom"; a shared border bears both sides' names
     Index joint = -1;  ///< into `joints`
-    bool joint_reversed = false;  ///< runs against the joint's direction
-    double joint_position = 0;    ///< arc length of its earlier end along the joint [m]
+    bool joint_reversed = false;      ///< runs against the joint's direction
+    double joint_position = 0;        ///< arc length of its earlier end along the joint [m]
+    std::optional<EdgeArc> arc = {};  ///< the drawn arc that it is a chord of
   };
   struct Face {
     Index region = -1;         ///< into `regions`

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "geometry/polygon.hpp"
+#include "mesh/cell_shapes.hpp"
 #include "mesh/chain.hpp"
 #include "mesh/flatten.hpp"
 
@@ -19,7 +20,8 @@ using core::Mistake;
 const char* const own_points =
     "bodies that meet by contact have points of their own; equal points of a mesh file are made one, so that "
     "`between` is the joint for them";
-constexpr double slowest = 1e-3;  // growth of s where projections stand still, over the edge's length
+constexpr double round_off = 1e-13;  // of points that are on their arc, over its radius
+constexpr double slowest = 1e-3;     // growth of s where projections stand still, over the edge's length
 
 /// A connected stretch of a lip: points.size() is links.size() + 1.
 struct Stretch {
@@ -111,15 +113,31 @@ void measure_second(const Mesh& mesh, const std::vector<Stretch>& first, Stretch
   }
 }
 
+// Puts the points in the middle of a drawn chord on its arc.
+void put_on_arcs(const std::vector<Index>& edges, CellShapes& cells, Mesh& mesh) {
+  std::map<Index, std::vector<Index>> edges_at;
+  for (const Index edge : edges)
+    for (const Index p : mesh.edge_points[edge]) edges_at[p].push_back(edge);
+  for (const auto& [p, around] : edges_at) {
+    const auto first = mesh.arcs.find(around.front()), second = mesh.arcs.find(around.back());
+    if (around.size() != 2 || first == mesh.arcs.end() || second == mesh.arcs.end()) continue;
+    const EdgeArc &arc = first->second, &other = second->second;
+    if (!(arc.center == other.center) || arc.radius != other.radius) continue;
+    const Point to = arc.nearest(mesh.points[p]);
+    if (geometry::distance(to, mesh.points[p]) > round_off * arc.radius) cells.move(p, to);
+  }
+}
+
 class FaceJoint {
  public:
-  FaceJoint(Mesh& mesh, const JointLine& line, const std::vector<Index>& body_of)
-      : mesh_(mesh), line_(line), body_of_(body_of) {}
+  FaceJoint(Mesh& mesh, const JointLine& line, const std::vector<Index>& body_of, CellShapes& cells)
+      : mesh_(mesh), line_(line), body_of_(body_of), cells_(cells) {}
 
   JointLips make() {
     std::array<std::vector<Link>, 2> links;
     for (int side = 0; side < 2; ++side) links[side] = chained(links_of(side), mesh_.points);
     check_bodies(links);
+    for (const std::string& face : line_.faces) put_on_arcs(mesh_.edge_groups.at(face), cells_, mesh_);
     std::array<std::vector<Stretch>, 2> lips;
     for (int side = 0; side < 2; ++side) {
       lips[side] = stretches(links[side]);
@@ -177,7 +195,7 @@ class FaceJoint {
     for (std::size_t i = 0; i < stretch.links.size(); ++i) {
       const Link& link = stretch.links[i];
       joint.lips[side].push_back({link.number, mesh_.edge_cells[link.number][0], link.start, link.end,
-                                  stretch.s[i], stretch.s[i + 1]});
+                                  stretch.s[i], stretch.s[i + 1], arc_of(mesh_, link.number, side == 1)});
       group.push_back(link.number);
     }
     std::ranges::sort(group);
@@ -186,6 +204,7 @@ class FaceJoint {
   Mesh& mesh_;
   const JointLine& line_;
   const std::vector<Index>& body_of_;
+  CellShapes& cells_;
 };
 
 }  // namespace
@@ -194,8 +213,9 @@ void add_face_joints(Mesh& mesh, const std::vector<JointLine>& joints) {
   if (std::ranges::none_of(joints, [](const JointLine& joint) { return !joint.faces.empty(); })) return;
   Index count = 0;
   const std::vector<Index> body_of = bodies(mesh, count);
+  CellShapes cells(mesh);
   for (const JointLine& joint : joints)
-    if (!joint.faces.empty()) mesh.joints.push_back(FaceJoint(mesh, joint, body_of).make());
+    if (!joint.faces.empty()) mesh.joints.push_back(FaceJoint(mesh, joint, body_of, cells).make());
   std::ranges::stable_sort(mesh.joints, {}, [&](const JointLips& lips) {
     return std::ranges::find(joints, lips.name, &JointLine::name) - joints.begin();
   });

@@ -33,8 +33,9 @@ double angle_along(const geometry::Arc& arc, Point start, Point p) {
 
 class Flattener {
  public:
-  Flattener(const std::vector<RegionShape>& regions, double chord, core::Mistakes& mistakes)
-      : regions_(regions), chord_(chord), mistakes_(mistakes) {
+  Flattener(const std::vector<RegionShape>& regions, const std::set<std::string>& faces, double chord,
+            core::Mistakes& mistakes)
+      : regions_(regions), faces_(faces), chord_(chord), mistakes_(mistakes) {
     for (const auto& region : regions) collect_corners(region.shape, corners_);
     Point low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()}, high = -1.0 * low;
     for (const Point p : corners_) {
@@ -82,6 +83,12 @@ class Flattener {
     return result;
   }
 
+  static std::optional<EdgeArc> arc_of(const ShapeEdge& edge) {
+    if (!edge.arc) return {};
+    return EdgeArc{edge.arc->center, geometry::distance(edge.start, edge.arc->center),
+                   edge.arc->counter_clockwise};
+  }
+
   std::vector<Point> flat_ring(const std::vector<ShapeEdge>& ring) {
     std::vector<Point> points;
     std::vector<std::size_t> owner;
@@ -93,9 +100,17 @@ class Flattener {
     }
     if (!check_ring(ring, points, owner)) return {};
     for (std::size_t i = 0; i < points.size(); ++i) {
-      result_.edges.push_back({points[i], points[(i + 1) % points.size()], region_, ring[owner[i]].name});
+      const ShapeEdge& edge = ring[owner[i]];
+      result_.edges.push_back({points[i], points[(i + 1) % points.size()], region_, edge.name, arc_of(edge)});
     }
     return points;
+  }
+
+  // A chord c lies up to c²/(8 r) off its arc.
+  double longest_chord(const ShapeEdge& edge, double radius) const {
+    if (!faces_.contains(region_name() + "." + edge.name)) return chord_;
+    constexpr double off_arc = 0.05;
+    return std::max(chord_, std::sqrt(8 * radius * off_arc * chord_));
   }
 
   std::vector<Point> arc_points(const ShapeEdge& edge, Point end) {
@@ -110,7 +125,7 @@ class Flattener {
     }
     // Corners of other shapes on this arc split it, so that arcs that are shared in part get the same chords.
     const double full = edge.start == end ? 2 * std::numbers::pi : angle_along(arc, edge.start, end);
-    const double near = touch * result_.length;
+    const double near = touch * result_.length, chord = longest_chord(edge, r0);
     std::vector<std::pair<double, Point>> stops;
     for (const Point p : corners_) {
       if (std::abs(geometry::distance(p, arc.center) - r0) > near) continue;
@@ -123,7 +138,7 @@ class Flattener {
     std::vector<Point> points{edge.start};
     for (const auto& stop : stops) {
       if (stop.second == points.back() && points.size() > 1) continue;
-      const auto part = geometry::points_on_arc(points.back(), stop.second, arc, chord_, largest_turn);
+      const auto part = geometry::points_on_arc(points.back(), stop.second, arc, chord, largest_turn);
       points.insert(points.end(), part.begin() + 1, part.end());
     }
     return points;
@@ -199,6 +214,7 @@ class Flattener {
   }
 
   const std::vector<RegionShape>& regions_;
+  const std::set<std::string>& faces_;
   double chord_;
   core::Mistakes& mistakes_;
   std::vector<Point> corners_;
@@ -226,8 +242,15 @@ bool FlatShape::contains(Point p) const {
   return false;
 }
 
-FlatRegions flatten(const std::vector<RegionShape>& regions, double chord, core::Mistakes& mistakes) {
-  return Flattener(regions, chord, mistakes).run();
+FlatRegions flatten(const std::vector<RegionShape>& regions, const std::set<std::string>& faces, double chord,
+                    core::Mistakes& mistakes) {
+  return Flattener(regions, faces, chord, mistakes).run();
+}
+
+std::set<std::string> faces_of(const std::vector<JointLine>& joints) {
+  std::set<std::string> names;
+  for (const JointLine& joint : joints) names.insert(joint.faces.begin(), joint.faces.end());
+  return names;
 }
 
 std::string to_text(Point p) {

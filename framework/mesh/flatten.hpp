@@ -1,6 +1,8 @@
 #pragma once
 // Regions as users drew them, turned into straight named edges and a test of containment.
 
+#include <set>
+
 #include "mesh/domain.hpp"
 
 namespace ashlar::mesh {
@@ -10,6 +12,7 @@ struct FlatEdge {
   Point from, to;
   Index region = -1;
   std::string name;
+  std::optional<EdgeArc> arc = {};
 };
 
 /// A shape with its arcs replaced by chords.
@@ -26,9 +29,14 @@ struct FlatRegions {
   double length = 0;  ///< diagonal of the bounding box
 };
 
-/// Arcs become chords (≤ chord, ≤ 7.5°); corners of other regions that lie on an arc become points of it.
-/// Reports rings that cross themselves or have no area, wrong arcs, holes outside, split border names.
-FlatRegions flatten(const std::vector<RegionShape>& regions, double chord, core::Mistakes& mistakes);
+/// Arcs become chords (≤ chord, ≤ 7.5°); those of `faces` ("disc.rim") may be longer, as points of the mesh
+/// in their middle are put on the arc later: by no more than a twentieth of `chord`, taken as the least
+/// cell's size. Corners of other regions that lie on an arc become points of it. Reports rings that cross
+/// themselves or have no area, wrong arcs, holes outside, split border names.
+FlatRegions flatten(const std::vector<RegionShape>& regions, const std::set<std::string>& faces, double chord,
+                    core::Mistakes& mistakes);
+/// The borders of all `faces` joints.
+std::set<std::string> faces_of(const std::vector<JointLine>& joints);
 
 /// "(12.5, 3)": for messages.
 std::string to_text(Point p);

@@ -100,7 +100,7 @@ class Grouper {
 
   void arrange(double chord) {
     core::Mistakes found_again;
-    flat_ = flatten(regions_, chord, found_again);
+    flat_ = flatten(regions_, faces_of(joints_), chord, found_again);
     std::vector<InputSegment> inputs;
     for (const auto& edge : flat_.edges)
       inputs.push_back({edge.from, edge.to, static_cast<Index>(inputs.size())});

@@ -93,6 +93,7 @@ void append(Mesh& all, Mesh part, const std::vector<Index>& region_number) {
   append_groups(part.edge_groups, edges, all.edge_groups);
   append_groups(part.point_groups, points, all.point_groups);
   append_joints(std::move(part.joints), {points, cells, edges}, all.joints);
+  for (const auto& [edge, arc] : part.arcs) all.arcs[edge + edges] = arc;
   append_notes(part.notes, all.notes);
 }
 

@@ -11,6 +11,14 @@ std::span<const Point> Mesh::corners(Index cell, std::vector<Point>& corners) co
   return corners;
 }
 
+std::optional<EdgeArc> arc_of(const Mesh& mesh, Index edge, bool reversed) {
+  const auto found = mesh.arcs.find(edge);
+  if (found == mesh.arcs.end()) return {};
+  EdgeArc arc = found->second;
+  if (reversed) arc.counter_clockwise = !arc.counter_clockwise;
+  return arc;
+}
+
 std::vector<std::string> edge_group_names(const Mesh& mesh) {
   std::vector<std::string> names;
   for (const auto& [name, edges] : mesh.edge_groups) names.push_back(name);

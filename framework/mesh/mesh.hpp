@@ -3,11 +3,13 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
 #include "mesh/adjacency.hpp"
+#include "mesh/edge_arc.hpp"
 
 namespace ashlar::mesh {
 
@@ -19,6 +21,10 @@ struct LipEdge {
   Index cell = -1;  ///< the one cell that it borders
   Index from = -1, to = -1;
   double s_from = 0, s_to = 0;
+  /// The drawn arc that the edge is a chord of, in the sense from `from` to `to`. Where bodies are meshed
+  /// apart both ends lie on it, unless cells there are too thin; otherwise they may lie on a longer chord of
+  /// it.
+  std::optional<EdgeArc> arc = {};
 };
 
 /// A joint in the mesh: two lips that face each other, their edges ordered by s. Both run along the path, so
@@ -44,6 +50,8 @@ struct Mesh {
   std::map<std::string, std::vector<Index>> edge_groups;
   std::map<std::string, std::vector<Index>> point_groups;
   std::vector<JointLips> joints;
+  /// Arcs of the drawn shapes by the edges that follow them, in the sense of edge_points.
+  std::map<Index, EdgeArc> arcs;
   /// What the generator says of its work: seed, iterations, collapsed edges …
   std::vector<std::pair<std::string, std::string>> notes;
 
@@ -74,6 +82,9 @@ struct Domain;
 /// and names border edges. A tip inside a region stays welded. Throws InputError if a joint cannot be
 /// followed.
 Mesh build_mesh(RawMesh raw, const Domain& domain);
+
+/// The arc that an edge follows, in the edge's own sense or against it; nothing if it follows none.
+std::optional<EdgeArc> arc_of(const Mesh& mesh, Index edge, bool reversed);
 
 /// Names of all edge groups, for messages.
 std::vector<std::string> edge_group_names(const Mesh& mesh);

@@ -203,7 +203,8 @@ std::vector<std::shared_ptr<const model::Material>> build_materials(const model:
   return materials;
 }
 
-model::Model build_model(const model::Scene& scene, core::Registry& registry, core::Mistakes& mistakes) {
+model::Model build_model(const model::Scene& scene, const model::Effects& effects, core::Registry& registry,
+                         core::Mistakes& mistakes) {
   model::Model built;
   built.plane = scene.plane;
   built.thickness = scene.thickness;
@@ -217,6 +218,7 @@ model::Model build_model(const model::Scene& scene, core::Registry& registry, co
   built.mesh = build_mesh(scene, domains, registry, mistakes);
   if (!mistakes.empty()) return built;
   mesh::add_face_joints(built.mesh, joint_lines(scene));
+  for (const auto& [name, effect] : effects) effect->shape_mesh(scene, built.mesh, mistakes);
   if (built.axisymmetric()) check_axis(built.mesh, mesh::together(domains).length, scene, mistakes);
   if (!mistakes.empty()) return built;
   check_cells(built, scene, mistakes);

@@ -2,14 +2,17 @@
 // Scene → const Model: domain, mesh, materials, element, numbering.
 
 #include "core/registry.hpp"
+#include "model/effect.hpp"
 #include "model/model.hpp"
 #include "model/scene.hpp"
 
 namespace ashlar::solve {
 
 /// Meshes the scene and builds its model. Mistakes that need geometry (overlapping regions, joints outside …)
-/// and those of materials and element go to `mistakes`; the model is of use only if there are none.
-model::Model build_model(const model::Scene& scene, core::Registry& registry, core::Mistakes& mistakes);
+/// and those of materials and element go to `mistakes`; the model is of use only if there are none. Effects
+/// may shape the mesh.
+model::Model build_model(const model::Scene& scene, const model::Effects& effects, core::Registry& registry,
+                         core::Mistakes& mistakes);
 
 /// The part of it that needs no mesh: the arranged regions and joints. `check` stops here. Bodies that are
 /// meshed apart lie in it side by side.

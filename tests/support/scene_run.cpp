@@ -34,7 +34,7 @@ SceneRun run_scene(const std::filesystem::path& scene, const ParameterValues& se
   SceneRun run{app::read_scenario(line), {}, {}};
   app::Scenario& parts = *run.scenario;
   core::Mistakes mistakes;
-  run.model = solve::build_model(parts.scene, parts.registry, mistakes);
+  run.model = solve::build_model(parts.scene, parts.effects, parts.registry, mistakes);
   mistakes.throw_if_any();
   if (adjust) adjust(parts, run.model);
   solve::Observer silent;

@@ -176,6 +176,72 @@ TEST(face_lips, a_ring_is_cut_where_it_is_farthest_and_s_grows_all_round) {
   }
 }
 
+TEST(arcs, edges_know_them_and_their_points_are_put_on_them) {
+  for (const bool disc_first : {true, false}) {
+    const Mesh mesh = disc_on_block(disc_first, true);
+    EXPECT_TRUE(verify(mesh).empty()) << verify(mesh).front();
+    const int side = disc_first ? 0 : 1;
+    ASSERT_EQ(mesh.joints[0].lips[side].size(), 96u) << "each chord has a point in its middle";
+    for (const LipEdge& edge : mesh.joints[0].lips[side]) {
+      ASSERT_TRUE(edge.arc);
+      EXPECT_EQ(edge.arc->center, (Point{2, 2}));
+      EXPECT_EQ(edge.arc->radius, 1);
+      const Point a = mesh.points[edge.from] - Point{2, 2}, b = mesh.points[edge.to] - Point{2, 2};
+      EXPECT_NEAR(norm(a), 1, 1e-15);
+      EXPECT_EQ(cross(a, b) > 0, edge.arc->counter_clockwise);
+      EXPECT_EQ(edge.arc->counter_clockwise, disc_first) << "the body is on the left of the first lip";
+    }
+    for (const LipEdge& edge : mesh.joints[0].lips[1 - side]) EXPECT_FALSE(edge.arc);
+  }
+}
+
+TEST(arcs, of_faces_have_chords_that_are_off_by_a_twentieth_of_the_least_cell) {
+  const auto chords = [](const std::vector<JointLine>& joints, double chord) {
+    core::Mistakes mistakes;
+    const auto parts = make_domains({box("block", {0, 0}, {4, 1}), region("disc", circle({2, 2}, 1, "rim"))},
+                                    joints, chord, mistakes);
+    return std::ranges::count_if(together(parts).segments, [](const auto& s) { return s.arc.has_value(); });
+  };
+  const JointLine touch = faces("touch", "disc.rim", "block.top");
+  EXPECT_NEAR(static_cast<double>(chords({}, 0.01)), 2 * std::numbers::pi / 0.01, 1);
+  EXPECT_NEAR(static_cast<double>(chords({touch}, 0.01)), 2 * std::numbers::pi / std::sqrt(0.004), 1);
+  EXPECT_EQ(chords({touch}, 0.1), 48) << "they turn by 7.5° at most";
+}
+
+TEST(arcs, a_point_stays_on_its_chord_where_a_cell_is_too_thin) {
+  // A hole: its chords lie in the void, and their middles move into the body.
+  const auto sagitta = 1 - std::cos(std::numbers::pi / 48);
+  for (const double thickness : {0.5 * sagitta, 2 * sagitta}) {
+    Mesh mesh = chord_of_a_hole(thickness);
+    const Index middle = 4;
+    ASSERT_NEAR(norm(mesh.points[middle]), 1 - sagitta, 1e-12);
+    add_face_joints(mesh, {faces("touch", "plate.wall", "pin.rim")});
+    EXPECT_TRUE(verify(mesh).empty()) << verify(mesh).front();
+    EXPECT_NEAR(norm(mesh.points[middle]), thickness < sagitta ? 1 - sagitta : 1, 1e-12);
+  }
+}
+
+TEST(arcs, joints_inside_a_body_know_them_too) {
+  core::Mistakes mistakes;
+  JointLine line;
+  line.name = "seam";
+  line.between = {"disc", "plate"};
+  const auto hole =
+      operation(geo::Shape::Kind::difference, {box("", {-2, -2}, {2, 2}).shape, circle({0, 0}, 1)});
+  const Domain domain =
+      make_domain({region("plate", hole), region("disc", circle({0, 0}, 1, "rim"))}, {line}, 1, mistakes);
+  ASSERT_TRUE(mistakes.empty());
+  int arcs = 0;
+  for (const auto& segment : domain.segments) {
+    EXPECT_EQ(segment.arc.has_value(), segment.left >= 0 && segment.right >= 0);
+    if (!segment.arc) continue;
+    ++arcs;
+    EXPECT_EQ(segment.arc->counter_clockwise,
+              cross(domain.points[segment.from], domain.points[segment.to]) > 0);
+  }
+  EXPECT_EQ(arcs, 48);
+}
+
 TEST(face_lips, mistakes_of_meshes_from_files) {
   const auto fault = [](Mesh mesh, const JointLine& line) -> std::string {
     mesh.joints.clear();

@@ -1,6 +1,8 @@
 #pragma once
 // Meshes of two bodies that are meshed apart, and joints between their faces.
 
+#include <numbers>
+
 #include "framework/mesh/mesh_shapes.hpp"
 #include "mesh/face_lips.hpp"
 #include "mesh/groups.hpp"
@@ -75,8 +77,8 @@ inline Mesh as_one_block(int n) {
 }
 
 /// A disc of 48 triangles (arcs turn by 7.5° at most), radius 1, touches a block of 4 × 1 cells at (2, 1);
-/// joint "touch".
-inline Mesh disc_on_block(bool disc_first) {
+/// joint "touch". `halved`: each chord bears a point in its middle.
+inline Mesh disc_on_block(bool disc_first, bool halved = false) {
   const RegionShape block = box("block", {0, 0}, {4, 1}), disc = region("disc", circle({2, 2}, 1, "rim"));
   const Domain domain = alone(disc);
   RawMesh raw;
@@ -85,8 +87,12 @@ inline Mesh disc_on_block(bool disc_first) {
   const auto center = static_cast<Index>(domain.points.size());
   for (const auto& segment : domain.segments) {
     const bool inside = segment.left >= 0;
-    raw.cell_points.append(
-        std::array<Index, 3>{inside ? segment.from : segment.to, inside ? segment.to : segment.from, center});
+    std::vector<Index> cell{inside ? segment.from : segment.to, inside ? segment.to : segment.from, center};
+    if (halved) {
+      cell.insert(cell.begin() + 1, static_cast<Index>(raw.points.size()));
+      raw.points.push_back(0.5 * (domain.points[segment.from] + domain.points[segment.to]));
+    }
+    raw.cell_points.append(cell);
     raw.cell_region.push_back(0);
   }
   std::vector<Mesh> parts;
@@ -95,6 +101,23 @@ inline Mesh disc_on_block(bool disc_first) {
   Mesh mesh = merge(std::move(parts), {"block", "disc"});
   add_face_joints(
       mesh, {disc_first ? faces("touch", "disc.rim", "block.top") : faces("touch", "block.top", "disc.rim")});
+  return mesh;
+}
+
+/// A thin cell of a plate on one chord of its round hole (radius 1 about the origin, 7.5°), the chord's
+/// middle being point 4, and a square pin inside; groups "plate.wall" and "pin.rim".
+inline Mesh chord_of_a_hole(double thickness) {
+  const double turn = std::numbers::pi / 48;
+  const Point a{std::sin(turn), -std::cos(turn)}, b{-a.x, a.y}, down{0, -thickness};
+  RawMesh raw;
+  raw.points = {a, b, b + down, a + down, 0.5 * (a + b), {0, 0.5}, {0.5, 0.5}, {0.5, 0.9}, {0, 0.9}};
+  raw.cell_points.append(std::array<Index, 5>{0, 4, 1, 2, 3});
+  raw.cell_points.append(std::array<Index, 4>{5, 6, 7, 8});
+  raw.cell_region = {0, 1};
+  raw.regions = {"plate", "pin"};
+  raw.edge_groups = {{"plate.wall", {{0, 4}, {4, 1}}}, {"pin.rim", {{5, 6}}}};
+  Mesh mesh = build_mesh(std::move(raw), {});
+  for (const Index edge : mesh.edge_groups.at("plate.wall")) mesh.arcs[edge] = {{0, 0}, 1, false};
   return mesh;
 }
 
