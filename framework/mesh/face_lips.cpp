@@ -146,7 +146,7 @@ class FaceJoint {
     measure_first(mesh_, lips[0]);
     for (Stretch& stretch : lips[1]) measure_second(mesh_, lips[0], stretch);
     std::ranges::stable_sort(lips[1], {}, [](const Stretch& stretch) { return stretch.s.front(); });
-    JointLips joint{line_.name, line_.sides, {}, true};
+    JointLips joint{line_.name, line_.sides, {}, true, {}};
     for (int side = 0; side < 2; ++side)
       for (const Stretch& stretch : lips[side]) take(stretch, side, joint);
     return joint;

@@ -58,6 +58,7 @@ void append_joints(std::vector<JointLips> joints, std::array<Index, 3> first, st
         edge.edge += edges, edge.cell += cells;
         edge.from += points, edge.to += points;
       }
+    for (auto& [first, second] : joint.pairs) first += points, second += points;
     all.push_back(std::move(joint));
   }
 }

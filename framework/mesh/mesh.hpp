@@ -36,6 +36,10 @@ struct JointLips {
   /// Lips of bodies that were meshed apart: their points do not coincide, and both have edges of their own
   /// number. Otherwise edge i of one lip lies on edge i of the other.
   bool apart = false;
+  /// Points of the first and the second lip that stand opposite each other, ordered along the lips; empty
+  /// before match_lips. One to one where the lips are apart; otherwise a point at a crossing may have two
+  /// partners.
+  std::vector<std::array<Index, 2>> pairs = {};
 };
 
 struct Mesh {

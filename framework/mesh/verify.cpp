@@ -1,6 +1,7 @@
 #include "mesh/verify.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "geometry/polygon.hpp"
 
@@ -100,9 +101,21 @@ class Checker {
     }
   }
 
+  void check_pairs(const std::string& name, const JointLips& joint) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      std::set<Index> on_lip, paired;
+      for (const LipEdge& edge : joint.lips[side]) on_lip.insert({edge.from, edge.to});
+      for (const auto& pair : joint.pairs) {
+        require(on_lip.contains(pair[side]), name + ": a pair's point is not on its lip");
+        require(!joint.apart || paired.insert(pair[side]).second, name + ": a point has two partners");
+      }
+    }
+  }
+
   void check_joint(const JointLips& joint) {
     const std::string name = "joint " + joint.name;
     for (int side = 0; side < 2; ++side) check_lip(name, joint.lips[side], side == 0);
+    check_pairs(name, joint);
     if (joint.apart) return;
     require(joint.lips[0].size() == joint.lips[1].size(), name + ": lips of different lengths");
     if (joint.lips[0].size() != joint.lips[1].size()) return;
