@@ -24,13 +24,17 @@ struct FieldResult {
 /// One joint along its arc length: rows at the points of the slave lip, ascending s.
 struct JointResult {
   struct Row {
-    double s = 0;         ///< arc length along the joint [m]
-    Point at;             ///< undeformed place
-    double opening = 0;   ///< normal distance of the lips [m]; negative: penetration of the penalty
-    double slip = 0;      ///< movement of the first lip against the second, along the path [m]
-    double pressure = 0;  ///< contact pressure, compression positive [Pa]
-    bool closed = false;
-    int piece = 0;  ///< changes where the profile is interrupted
+    double s = 0;            ///< arc length along the joint [m]
+    Point at;                ///< undeformed place
+    double opening = 0;      ///< normal distance of the lips [m]; negative: penetration of the penalty
+    double slip = 0;         ///< movement of the first lip against the second, along the path [m]
+    double pressure = 0;     ///< contact pressure (effective), compression positive [Pa]
+    double shear = 0;        ///< positive where the first lip is held against slip along the path [Pa]
+    double utilisation = 0;  ///< |shear| over the shear strength at this pressure; 0 without friction
+    double water = 0;        ///< pressure of water between the lips; pressure + water is the total [Pa]
+    enum class State { open, stick, slip } state = State::open;
+    bool closed = false;  ///< not open
+    int piece = 0;        ///< changes where the profile is interrupted
   };
   /// Where the lips end in one point: no opening, no slip, and no contact point.
   struct Tip {
@@ -43,10 +47,17 @@ struct JointResult {
   double length = 0;          ///< of the slave lip [m]
   double contact_length = 0;  ///< of it, what the rows stand for: not the half edges at tips [m]
   double normal_force = 0;    ///< Σ contact forces along the normals, compression positive [N]
+  double shear_force = 0;     ///< Σ of the shear tractions along the path [N]
+  double strength_force = 0;  ///< Σ of the shear strengths of closed points: N tan φ + c A for Coulomb [N]
+  /// strength_force over |shear_force|; 0 where there is no friction or nothing to resist.
+  double safety = 0;
+  double water_force = 0;     ///< Σ of the water's pressure between the lips [N]
+  double action_s = 0;        ///< arc length where the normal forces' resultant acts [m]
+  double cracked_length = 0;  ///< of `contact_length`, what is open [m]
   Resultant resultant;        ///< contact force on the first lip's body
-  double max_opening = 0, max_slip = 0, max_penetration = 0, max_pressure = 0;
+  double max_opening = 0, max_slip = 0, max_penetration = 0, max_pressure = 0, max_shear = 0;
   double penetration_over_h = 0;
-  int closed = 0, points = 0;
+  int closed = 0, slipping = 0, points = 0;
 };
 
 struct ProbeResult {

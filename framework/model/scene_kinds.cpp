@@ -185,7 +185,12 @@ void add_outputs(core::Registry& registry) {
   registry.add_schema(
       {"joint_field", "opening", "", "Normal distance of the lips [m]; negative: penetration.", {}});
   registry.add_schema({"joint_field", "slip", "", "Movement of the first lip along the path [m].", {}});
-  registry.add_schema({"joint_field", "pressure", "", "Contact pressure, compression positive [Pa].", {}});
+  registry.add_schema(
+      {"joint_field", "pressure", "", "Contact pressure (effective), compression positive [Pa].", {}});
+  registry.add_schema({"joint_field", "shear_stress", "", "Shear that resists slip [Pa].", {}});
+  registry.add_schema({"joint_field", "water_pressure", "", "Pressure of water between the lips [Pa].", {}});
+  registry.add_schema(
+      {"joint_field", "utilisation", "", "Shear over the shear strength at the present pressure.", {}});
   registry.add_schema(
       {"probe",
        "probe",

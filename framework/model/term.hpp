@@ -88,26 +88,75 @@ class Nonlinear : public Term {
   virtual std::vector<std::pair<std::string, double>> facts(const fields::State&) const { return {}; }
 };
 
-/// A nonlinear term in a few dofs only: the bulk is factored once, and the iteration stays on those dofs. For
-/// a fixed status (open, closed …) its force is a smooth function of the displacement.
+/// Jumps of displacement at points of joints: J = initial + B u, `width` components a point. The tractions q
+/// that are conjugate to them are forces Bᵀ (area q) on the dofs.
+struct Jumps {
+  struct Part {
+    Index place = 0;  ///< in the term's touched dofs
+    double factor = 0;
+  };
+  int width = 2;
+  std::vector<std::vector<Part>> parts;  ///< rows of B, by component
+  std::vector<double> initial;           ///< by component [m]
+  std::vector<double> area;              ///< by component: what a traction acts on [m²]
+  std::vector<double> ground;            ///< by component: stiffness that a touching point might have [Pa/m]
+  Index size() const { return static_cast<Index>(parts.size()); }
+};
+
+/// What the points of a local term answer to their unknowns, by component; derivatives by the unknowns of the
+/// same point: `width` columns.
+struct JumpResponse {
+  Eigen::VectorXd jump, traction;
+  Eigen::MatrixXd jump_by, traction_by;
+  void resize(Index size, int width);
+};
+
+/// How a status is chosen anew.
+struct StatusChange {
+  double jump = 0;   ///< jumps below this are round-off [m]
+  bool one = false;  ///< only the point that violates its status most changes
+};
+
+/// A nonlinear term in a few dofs only, through jumps of displacement: the bulk is factored once, and the
+/// iteration stays on those jumps. Each point has `width` unknowns of its own, tractions or jumps by its
+/// status (closed, open, slipping …), from which both follow: stiff, rigid and free points are equally well
+/// conditioned. For a fixed status both are smooth functions of the unknowns.
 class LocalTerm : public Term {
  public:
   using Term::Term;
   /// Ascending dofs that it touches, held ones included.
   virtual std::span<const Index> touched() const = 0;
-  /// force += c(u) and tangent += ∂c/∂u at the trial state, for the present status. `u` and `force` are the
-  /// touched dofs in their order; `tangent` is square, in the same order.
-  virtual void add_local(const fields::State& state, std::span<const double> u,
-                         Eigen::Ref<Eigen::VectorXd> force, Eigen::Ref<Eigen::MatrixXd> tangent) const = 0;
-  /// Chooses the status that fits `u` and stores it in the trial state; returns how many points changed.
-  virtual int update_status(fields::State& state, std::span<const double> u) const = 0;
+  virtual const Jumps& jumps() const = 0;
+  /// Jumps and tractions for the trial status.
+  virtual void respond(const fields::State& state, std::span<const double> unknown,
+                       JumpResponse& response) const = 0;
+  /// The unknowns that fit the trial state's status and tractions and these jumps.
+  virtual void begin(const fields::State& state, std::span<const double> jump,
+                     std::span<double> unknown) const = 0;
+  /// Chooses the status that fits the unknowns and stores it in the trial state, with new unknowns where it
+  /// changed; returns how many points changed.
+  virtual int update_status(fields::State& state, const StatusChange& change,
+                            std::span<double> unknown) const = 0;
+  /// Closes the point that `motion` (a change of the jumps) lets touch first, of those that are open; false
+  /// if there is none.
+  virtual bool close_first(fields::State&, std::span<const double> /*motion*/,
+                           std::span<double> /*unknown*/) const {
+    return false;
+  }
+  /// Settled for its status: stores tractions and what the points remember in the trial state. True if the
+  /// iteration is to go on with them (multipliers that are still growing).
+  virtual bool settle(fields::State& state, std::span<const double> unknown) const = 0;
+  /// Tractions of the trial state, by component [Pa].
+  virtual void tractions(const fields::State& state, std::span<double> traction) const = 0;
   /// Status of every point as small integers: what tells two iterates apart when a cycle is looked for.
   virtual std::vector<std::int8_t> status(const fields::State& state) const = 0;
+  /// Goes back to a status of before.
+  virtual void restore(fields::State& state, std::span<const std::int8_t> status) const = 0;
   /// A point's name for messages: "fault at (6.2, 7.8)".
   virtual std::string point_name(std::size_t point) const = 0;
-  /// Numbers for the iteration table at these displacements: "closed", "open", "penetration/h" …
+  /// Numbers for the iteration table: "open", "stick", "penetration/h" …
   virtual std::vector<std::pair<std::string, double>> facts(const fields::State& state,
-                                                            std::span<const double> u) const = 0;
+                                                            std::span<const double> unknown) const = 0;
 };
 
 /// The terms of one stage.

@@ -6,6 +6,8 @@
 
 #include "output/tables.hpp"
 
+#include "output/joint_columns.hpp"
+
 namespace ashlar::output {
 
 namespace {
@@ -32,33 +34,27 @@ Json probes(const model::StageResult& stage) {
 
 Json profile(const model::JointResult& joint) {
   Json rows = Json::array();
-  for (const auto& row : joint.rows)
-    rows.push_back({{"s", row.s},
-                    {"x", row.at.x},
-                    {"y", row.at.y},
-                    {"opening", row.opening},
-                    {"slip", row.slip},
-                    {"pressure", row.pressure},
-                    {"closed", row.closed},
-                    {"piece", row.piece}});
+  for (const auto& row : joint.rows) {
+    Json& each = rows.emplace_back(Json{{"s", row.s}, {"x", row.at.x}, {"y", row.at.y}});
+    for (const JointColumn& column : joint_columns) each[column.name] = row.*column.value;
+    each["state"] = state_word(row.state);
+    each["closed"] = row.closed;
+    each["piece"] = row.piece;
+  }
   return rows;
 }
 
 Json joints(const model::StageResult& stage) {
   Json json = object();
-  for (const model::JointResult& joint : stage.joints)
-    json[joint.name] = {{"normal_force", joint.normal_force},
-                        {"resultant", resultant(joint.resultant)},
-                        {"max_slip", joint.max_slip},
-                        {"max_opening", joint.max_opening},
-                        {"max_penetration", joint.max_penetration},
-                        {"penetration_over_h", joint.penetration_over_h},
-                        {"max_pressure", joint.max_pressure},
-                        {"closed", joint.closed},
-                        {"points", joint.points},
-                        {"length", joint.length},
-                        {"contact_length", joint.contact_length},
-                        {"profile", profile(joint)}};
+  for (const model::JointResult& joint : stage.joints) {
+    Json& each = json[joint.name];
+    for (const JointNumber& number : joint_numbers) each[number.name] = joint.*number.value;
+    each["resultant"] = resultant(joint.resultant);
+    each["closed"] = joint.closed;
+    each["slipping"] = joint.slipping;
+    each["points"] = joint.points;
+    each["profile"] = profile(joint);
+  }
   return json;
 }
 

@@ -9,6 +9,8 @@
 #include "output/provenance.hpp"
 #include "output/tables.hpp"
 
+#include "output/joint_columns.hpp"
+
 namespace ashlar::output {
 
 using hdf5::attribute;
@@ -110,25 +112,20 @@ void write_joint(const Handle& parent, const model::JointResult& joint) {
       group, "x", joint.rows, [](const Row& r) { return r.at.x; }, "m");
   write_column<Row>(
       group, "y", joint.rows, [](const Row& r) { return r.at.y; }, "m");
-  write_column<Row>(
-      group, "opening", joint.rows, [](const Row& r) { return r.opening; }, "m");
-  write_column<Row>(
-      group, "slip", joint.rows, [](const Row& r) { return r.slip; }, "m");
-  write_column<Row>(
-      group, "pressure", joint.rows, [](const Row& r) { return r.pressure; }, "Pa");
+  for (const JointColumn& column : joint_columns) {
+    std::vector<double> values;
+    for (const Row& row : joint.rows) values.push_back(row.*column.value);
+    write(group, column.name, std::span<const double>(values), 1, column.unit);
+  }
   write_column<Row>(group, "closed", joint.rows, [](const Row& r) { return Index{r.closed ? 1 : 0}; });
+  write_column<Row>(group, "slipping", joint.rows,
+                    [](const Row& r) { return Index{r.state == Row::State::slip ? 1 : 0}; });
   write_column<Row>(group, "piece", joint.rows, [](const Row& r) { return Index{r.piece}; });
-  attribute(group, "normal_force", joint.normal_force);
+  for (const JointNumber& number : joint_numbers) attribute(group, number.name, joint.*number.value);
   const double resultant[] = {joint.resultant.x, joint.resultant.y, joint.resultant.moment};
   attribute(group, "resultant", std::span<const double>(resultant));
-  attribute(group, "max_opening", joint.max_opening);
-  attribute(group, "max_slip", joint.max_slip);
-  attribute(group, "max_penetration", joint.max_penetration);
-  attribute(group, "penetration_over_h", joint.penetration_over_h);
-  attribute(group, "max_pressure", joint.max_pressure);
   attribute(group, "closed_points", joint.closed);
-  attribute(group, "length", joint.length);
-  attribute(group, "contact_length", joint.contact_length);
+  attribute(group, "slipping_points", joint.slipping);
 }
 
 void write_section(const Handle& parent, const model::SectionResult& section) {

@@ -126,14 +126,23 @@ std::string extremes_text(const model::RunResult& result) {
 }
 
 std::string joints_text(const model::RunResult& result) {
-  Rows rows = {{"", "stage", "closed", "normal force", "opening", "slip", "pressure", "penetration/h"}};
+  bool rough = false;
   for (const model::StageResult& stage : result.stages)
-    for (const model::JointResult& joint : stage.joints)
+    for (const model::JointResult& joint : stage.joints) rough |= joint.strength_force > 0;
+  Rows rows = {{"", "stage", "closed", "normal force", "opening", "slip", "pressure", "penetration/h"}};
+  if (rough) rows[0].insert(rows[0].end(), {"shear force", "slipping", "safety"});
+  for (const model::StageResult& stage : result.stages)
+    for (const model::JointResult& joint : stage.joints) {
       rows.push_back({joint.name, stage.name,
                       std::to_string(joint.closed) + "/" + std::to_string(joint.points),
                       short_quantity(joint.normal_force, "N"), short_quantity(joint.max_opening, "m"),
                       short_quantity(joint.max_slip, "m"), short_quantity(joint.max_pressure, "Pa"),
                       number("%.1e", joint.penetration_over_h)});
+      if (rough)
+        rows.back().insert(rows.back().end(),
+                           {short_quantity(joint.shear_force, "N"), std::to_string(joint.slipping),
+                            joint.safety > 0 ? number("%.4g", joint.safety) : std::string("-")});
+    }
   if (rows.size() == 1) return {};
   std::string text = "Joints (greatest values)\n" + aligned(rows, 2);
   // The mesh is the same in all stages.
@@ -205,7 +214,7 @@ std::string iterations_text(const model::RunResult& result) {
   if (conditions) rows.front().push_back("condition");
   for (const model::StageResult& stage : result.good()) {
     const bool linear = stage.iterations.empty();
-    rows.push_back({stage.name, linear ? "linear" : std::to_string(stage.iterations.size()),
+    rows.push_back({stage.name, linear ? "none" : std::to_string(stage.iterations.size()),
                     linear ? "" : number("%.1e", stage.iterations.back().residual),
                     number("%.1e", stage.backward_error), std::to_string(stage.unknowns),
                     stage.factored ? "new factorisation" : "factorisation kept"});

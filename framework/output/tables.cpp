@@ -7,6 +7,8 @@
 
 #include "output/files.hpp"
 
+#include "output/joint_columns.hpp"
+
 namespace ashlar::output {
 
 using model::Iteration;
@@ -69,13 +71,19 @@ std::vector<JointResult::Row> rows_and_tips(const JointResult& joint) {
     const auto after =
         std::find_if(rows.begin(), rows.end(), [&](const JointResult::Row& row) { return row.s > tip.s; });
     const int piece = rows.empty() ? 0 : after == rows.begin() ? after->piece : (after - 1)->piece;
-    rows.insert(after, {tip.s, tip.at, 0, 0, std::numeric_limits<double>::quiet_NaN(), true, piece});
+    JointResult::Row row{.s = tip.s, .at = tip.at, .closed = true, .piece = piece};
+    for (const JointColumn& column : joint_columns)
+      if (column.traction) row.*column.value = std::numeric_limits<double>::quiet_NaN();
+    rows.insert(after, row);
   }
   return rows;
 }
 
 std::string joint_csv(const RunResult& result, const std::string& name) {
-  std::string text = "stage,s [m],x [m],y [m],opening [m],slip [m],pressure [Pa],closed,piece,welded\n";
+  std::string text = "stage,s [m],x [m],y [m]";
+  for (const JointColumn& column : joint_columns)
+    text += std::string(",") + column.name + (*column.unit ? std::string(" [") + column.unit + "]" : "");
+  text += ",state,piece,welded\n";
   bool any = false;
   for (const StageResult& stage : result.stages)
     for (const JointResult& joint : stage.joints) {
@@ -85,11 +93,11 @@ std::string joint_csv(const RunResult& result, const std::string& name) {
       for (const JointResult::Row& row : rows_and_tips(joint)) {
         const bool welded = std::isnan(row.pressure);
         text += first;
-        for (const double value : {row.s, row.at.x, row.at.y, row.opening, row.slip})
-          text += "," + shortest(value);
-        text += "," + (welded ? std::string() : shortest(row.pressure));
-        text +=
-            std::string(row.closed ? ",1," : ",0,") + std::to_string(row.piece) + (welded ? ",1\n" : ",0\n");
+        for (const double value : {row.s, row.at.x, row.at.y}) text += "," + shortest(value);
+        for (const JointColumn& column : joint_columns)
+          text += "," + (welded && column.traction ? std::string() : shortest(row.*column.value));
+        text += std::string(",") + (welded ? "" : state_word(row.state)) + "," + std::to_string(row.piece) +
+                (welded ? ",1\n" : ",0\n");
       }
     }
   return any ? text : std::string();

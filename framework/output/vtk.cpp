@@ -5,6 +5,8 @@
 #include <cstring>
 #include <span>
 
+#include "output/joint_columns.hpp"
+
 namespace ashlar::output {
 
 using mesh::Index;
@@ -161,7 +163,8 @@ std::string cells_vtu(const mesh::Mesh& mesh, const model::StageResult& stage) {
 
 std::string joints_vtu(const model::StageResult& stage) {
   std::vector<geometry::Point> points;
-  std::vector<double> s, opening, slip, pressure;
+  std::vector<double> s;
+  std::array<std::vector<double>, joint_columns.size()> values;
   std::vector<Index> closed, joint_of_cell, connectivity, offsets = {0};
   std::vector<std::string> names;
   for (const model::JointResult& joint : stage.joints) {
@@ -175,9 +178,7 @@ std::string joints_vtu(const model::StageResult& stage) {
       }
       points.push_back(row.at);
       s.push_back(row.s);
-      opening.push_back(row.opening);
-      slip.push_back(row.slip);
-      pressure.push_back(row.pressure);
+      for (std::size_t c = 0; c < values.size(); ++c) values[c].push_back(row.*joint_columns[c].value);
       closed.push_back(row.closed ? 1 : 0);
     }
     names.push_back(joint.name);
@@ -186,9 +187,8 @@ std::string joints_vtu(const model::StageResult& stage) {
   if (!names.empty()) write_names(grid, "joint_names", names);
   grid.line("      <PointData>");
   grid.array("s", std::span<const double>(s));
-  grid.array("opening", std::span<const double>(opening));
-  grid.array("slip", std::span<const double>(slip));
-  grid.array("pressure", std::span<const double>(pressure));
+  for (std::size_t c = 0; c < values.size(); ++c)
+    grid.array(joint_columns[c].name, std::span<const double>(values[c]));
   grid.array("closed", std::span<const Index>(closed));
   grid.line("      </PointData>\n      <CellData>");
   grid.array("joint", std::span<const Index>(joint_of_cell));

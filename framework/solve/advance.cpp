@@ -56,7 +56,7 @@ std::vector<double> free_part(const model::Constraints& constraints, std::span<c
 
 /// K δ = −r with the local terms iterated in their own dofs; δ is added to the trial displacement and to
 /// `total`.
-LocalResult correct(const Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
+LocalResult correct(const Bulk& bulk, LocalTerms& local, const model::Constraints& constraints,
                     std::span<const double> residual, fields::State& state,
                     std::vector<model::Iteration>& rows, std::vector<double>& total) {
   std::vector<double> right = free_part(constraints, residual);
@@ -69,13 +69,13 @@ LocalResult correct(const Bulk& bulk, const LocalTerms& local, const model::Cons
     bulk.solver().solve(right, change);
   } else {
     std::vector<double> work;
-    const Eigen::VectorXd condensed = bulk.solver().condense(right, work);
-    const Eigen::MatrixXd& schur = bulk.solver().schur();
+    const Eigen::VectorXd right_kept = bulk.solver().condense(right, work);
+    const Condensed& condensed = local.condensed(bulk);
     Eigen::VectorXd u = touched_values(local, state.trial(displacement));
     const Eigen::VectorXd start = u(local.free());
     {
       const auto timing = core::ledger().time("iterate", local.effect());
-      result = iterate(local, schur, condensed + schur * start, state, u, rows);
+      result = iterate(local, condensed, right_kept + bulk.solver().schur() * start, state, u, rows);
     }
     bulk.solver().expand(work, u(local.free()) - start, change);
   }
@@ -87,21 +87,12 @@ LocalResult correct(const Bulk& bulk, const LocalTerms& local, const model::Cons
   return result;
 }
 
-/// The forces of local terms at the trial state.
-void add_local_force(const LocalTerms& local, const fields::State& state, std::span<double> force) {
-  if (local.empty()) return;
-  Eigen::VectorXd own;
-  Eigen::MatrixXd tangent;
-  local.evaluate(state, touched_values(local, state.trial(displacement)), own, tangent);
-  for (Index i = 0; i < own.size(); ++i) force[local.touched()[i]] += own[i];
-}
-
 }  // namespace
 
 std::vector<double> out_of_balance(const Bulk& bulk, const LocalTerms& local, std::span<const double> load,
                                    fields::State& state) {
   std::vector<double> residual = bulk_residual(bulk, load, state);
-  add_local_force(local, state, residual);
+  local.add_force(state, residual);
   return residual;
 }
 
@@ -167,7 +158,7 @@ double forward_error(const Bulk& bulk, std::span<const double> left, double most
 }
 
 /// One solve, and refinements where its backward error asks for them.
-StepReport solve_linear(const Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
+StepReport solve_linear(const Bulk& bulk, LocalTerms& local, const model::Constraints& constraints,
                         const StepTarget& target, fields::State& state) {
   StepReport report;
   const std::span<double> u = state.trial(displacement);
@@ -175,7 +166,6 @@ StepReport solve_linear(const Bulk& bulk, const LocalTerms& local, const model::
   const double most_force = most_force_at_start(bulk, local, target, state);
   for (std::size_t dof = 0; dof < u.size(); ++dof)
     if (constraints.held[dof]) u[dof] = target.prescribed[dof];
-  if (!local.empty()) local.update_status(state, touched_values(local, u));
   std::vector<double> change;
   for (int round = 0;; ++round) {
     const std::vector<double> residual = bulk_residual(bulk, target.load, state);
@@ -231,7 +221,7 @@ struct Correction {
 };
 
 /// K δ + c(u + δ) = −r with the tangent K that was factored, refined as in linear stages.
-Correction newton_correction(const Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
+Correction newton_correction(const Bulk& bulk, LocalTerms& local, const model::Constraints& constraints,
                              const std::vector<double>& residual, fields::State& state) {
   Correction found;
   const double right = largest(free_part(constraints, residual));
@@ -245,7 +235,7 @@ Correction newton_correction(const Bulk& bulk, const LocalTerms& local, const mo
     now = residual;
     for (std::size_t i = 0; i < product.size(); ++i) now[constraints.dof[i]] += product[i];
     std::vector<double> left = now;
-    add_local_force(local, state, left);
+    local.add_force(state, left);
     // Local forces are those of the whole displacement, and round with it.
     const double size = local.empty() ? largest(change) : largest(state.trial(displacement));
     const double before = found.backward_error;
@@ -309,14 +299,14 @@ void tell_unsettled(StepReport& report) {
 }
 
 /// Newton with the tangent of the laws; local terms settle inside each step.
-StepReport solve_newton(Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
+StepReport solve_newton(Bulk& bulk, LocalTerms& local, const model::Constraints& constraints,
                         const StepTarget& target, fields::State& state) {
   StepReport report;
   double first = 0;
   const double most_force = most_force_at_start(bulk, local, target, state);
-  if (!local.empty()) local.update_status(state, touched_values(local, state.trial(displacement)));
   for (int number = 1; number <= most_newton_steps; ++number) {
     bulk.linearise(state);
+    local.bulk_changed();
     if (!bulk.report().done) {
       report.reason = "the tangent cannot be factored: " + bulk.report().reason;
       report.advice = "see that supports hold every body; or the body may not carry this load";
@@ -350,7 +340,7 @@ StepReport solve_newton(Bulk& bulk, const LocalTerms& local, const model::Constr
 
 }  // namespace
 
-StepReport advance(Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
+StepReport advance(Bulk& bulk, LocalTerms& local, const model::Constraints& constraints,
                    const StepTarget& target, fields::State& state) {
   const auto timing = core::ledger().time("solve");
   if (bulk.linear()) return solve_linear(bulk, local, constraints, target, state);

@@ -27,11 +27,11 @@ struct StepReport {
 
 /// Brings the trial state to equilibrium. Linear stages take one solve (and one of refinement if its backward
 /// error asks for it); nonlinear terms are iterated with Newton's method.
-StepReport advance(Bulk& bulk, const LocalTerms& local, const model::Constraints& constraints,
+StepReport advance(Bulk& bulk, LocalTerms& local, const model::Constraints& constraints,
                    const StepTarget& target, fields::State& state);
 
-/// force = K u + n(u) + c(u) − load over all dofs at the trial state: zero in free dofs, reactions in held
-/// ones.
+/// force = K u + n(u) + c − load, c: the trial tractions of joints, over all dofs at the trial state: zero in
+/// free dofs, reactions in held ones.
 std::vector<double> out_of_balance(const Bulk& bulk, const LocalTerms& local, std::span<const double> load,
                                    fields::State& state);
 

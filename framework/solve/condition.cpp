@@ -9,21 +9,17 @@ namespace ashlar::solve {
 
 namespace {
 
-/// Unknowns of local terms are eliminated last: S + C is the system that is left for them.
-double with_local_terms(const Bulk& bulk, const LocalTerms& local, const fields::State& state,
-                        Index unknowns) {
-  const std::span<const double> u = state.trial(displacement);
-  Eigen::VectorXd values(static_cast<Index>(local.touched().size())), force;
-  for (Index i = 0; i < values.size(); ++i) values[i] = u[local.touched()[i]];
-  Eigen::MatrixXd tangent;
-  local.evaluate(state, values, force, tangent);
-  const Eigen::MatrixXd own = tangent(local.free(), local.free());
+/// With joints the matrix is that of the bulk and of joints that touch everywhere with their ground
+/// stiffness.
+double with_local_terms(const Bulk& bulk, const LocalTerms& local, Index unknowns) {
+  const Eigen::MatrixXd b = local.free_jumps();
+  const Eigen::MatrixXd own = b.transpose() * local.area().cwiseProduct(local.ground()).asDiagonal() * b;
   const Eigen::LDLT<Eigen::MatrixXd> factor(bulk.solver().schur() + own);
   if (factor.info() != Eigen::Success || !factor.isPositive() || factor.rcond() < 1e-16)
     return std::numeric_limits<double>::infinity();
-  const algebra::Solve solve = [&](std::span<const double> b, std::span<double> x) {
+  const algebra::Solve solve = [&](std::span<const double> right, std::span<double> x) {
     std::vector<double> work;
-    const Eigen::VectorXd condensed = bulk.solver().condense(b, work);
+    const Eigen::VectorXd condensed = bulk.solver().condense(right, work);
     bulk.solver().expand(work, factor.solve(condensed), x);
   };
   const double norm = bulk.norm() + own.cwiseAbs().rowwise().sum().maxCoeff();
@@ -32,11 +28,10 @@ double with_local_terms(const Bulk& bulk, const LocalTerms& local, const fields:
 
 }  // namespace
 
-double condition_estimate(const Bulk& bulk, const LocalTerms& local, const fields::State& state,
-                          Index unknowns) {
+double condition_estimate(const Bulk& bulk, const LocalTerms& local, Index unknowns) {
   const auto timing = core::ledger().time("condition");
   if (unknowns == 0) return 1;
-  if (!local.free().empty()) return bulk.symmetric() ? with_local_terms(bulk, local, state, unknowns) : 0;
+  if (!local.free().empty()) return bulk.symmetric() ? with_local_terms(bulk, local, unknowns) : 0;
   // ‖K⁻¹‖∞ = ‖K⁻ᵀ‖₁.
   const algebra::LinearSolver& solver = bulk.solver();
   return bulk.norm() * algebra::inverse_norm(

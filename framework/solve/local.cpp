@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace ashlar::solve {
 
@@ -9,122 +10,102 @@ namespace {
 
 // Far more statuses than any sound stage visits (a handful); a cycle is found long before.
 constexpr int most_statuses = 60;
-// For a fixed status the terms at hand are linear: one step solves, the second confirms.
+// For a fixed status most points are linear: one step solves, the second confirms.
 constexpr int most_newton_steps = 20;
-// Forces in balance relative to the largest force at hand: three digits above round-off of the dense solve.
-constexpr double force_tolerance = 1e-12;
+// Jumps that fit relative to the largest at hand: two digits above round-off.
+constexpr double fit = 1e-14;
+// A condensed matrix worse than this is singular to working accuracy.
+constexpr double singular = 1e-14;
+// Constraints that repeat each other (where joints meet) are told apart by this share of the ground
+// compliance, in the matrix only: what is solved stays exact.
+constexpr double poor = 1e-12, told_apart = 1e-7;
+// Displacements below this share of the largest are what rounding leaves of differences.
+constexpr double displacement_digits = 1e-12;
+
+double largest(const Eigen::VectorXd& values) {
+  return values.size() == 0 ? 0 : values.lpNorm<Eigen::Infinity>();
+}
 
 }  // namespace
 
-LocalTerms::LocalTerms(std::vector<std::shared_ptr<const model::LocalTerm>> terms,
-                       const model::Constraints& constraints)
-    : terms_(std::move(terms)) {
-  for (const auto& term : terms_)
-    touched_.insert(touched_.end(), term->touched().begin(), term->touched().end());
-  std::sort(touched_.begin(), touched_.end());
-  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  for (const auto& term : terms_) {
-    std::vector<Index>& place = place_.emplace_back();
-    for (const Index dof : term->touched())
-      place.push_back(
-          static_cast<Index>(std::lower_bound(touched_.begin(), touched_.end(), dof) - touched_.begin()));
+Condensed::Condensed(Points points, const Eigen::MatrixXd& schur, bool symmetric)
+    : points_(std::move(points)), symmetric_(symmetric) {
+  const Eigen::MatrixXd& b = points_.jumps;
+  const Eigen::VectorXd stiffness = points_.area.cwiseProduct(points_.ground);
+  const Eigen::MatrixXd grounded = schur + b.transpose() * stiffness.asDiagonal() * b;
+  Eigen::MatrixXd compliance;
+  if (symmetric_) {
+    cholesky_.compute(grounded);
+    held_ = cholesky_.info() == Eigen::Success && cholesky_.rcond() > singular;
+    if (!held_) return;
+    const Eigen::MatrixXd half = cholesky_.matrixL().solve(b.transpose());
+    compliance.setZero(b.rows(), b.rows());
+    compliance.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose());
+    compliance.triangularView<Eigen::StrictlyUpper>() = compliance.transpose();
+  } else {
+    lu_.compute(grounded);
+    held_ = lu_.rcond() > singular;
+    if (!held_) return;
+    compliance = b * lu_.solve(b.transpose());
   }
-  for (std::size_t i = 0; i < touched_.size(); ++i)
-    if (!constraints.held[touched_[i]]) free_.push_back(static_cast<Index>(i));
+  by_traction_ = compliance * points_.area.asDiagonal();
+  by_jump_ = -compliance * stiffness.asDiagonal();
+  by_jump_.diagonal().array() += 1;
 }
 
-std::vector<double> LocalTerms::own(std::size_t term, const Eigen::VectorXd& u) const {
-  std::vector<double> values;
-  values.reserve(place_[term].size());
-  for (const Index i : place_[term]) values.push_back(u[i]);
-  return values;
+Eigen::VectorXd Condensed::solve(const Eigen::VectorXd& load) const {
+  if (symmetric_) return cholesky_.solve(load);
+  return lu_.solve(load);
 }
 
-void LocalTerms::evaluate(const fields::State& state, const Eigen::VectorXd& u, Eigen::VectorXd& force,
-                          Eigen::MatrixXd& tangent) const {
-  force.setZero(static_cast<Index>(touched_.size()));
-  tangent.setZero(force.size(), force.size());
-  for (std::size_t t = 0; t < terms_.size(); ++t) {
-    const std::vector<Index>& place = place_[t];
-    const auto size = static_cast<Index>(place.size());
-    if (size == force.size()) {  // one term touches all: no copies
-      terms_[t]->add_local(state, own(t, u), force, tangent);
-      continue;
-    }
-    Eigen::VectorXd own_force = Eigen::VectorXd::Zero(size);
-    Eigen::MatrixXd own_tangent = Eigen::MatrixXd::Zero(size, size);
-    terms_[t]->add_local(state, own(t, u), own_force, own_tangent);
-    force(place) += own_force;
-    tangent(place, place) += own_tangent;
-  }
-}
-
-int LocalTerms::update_status(fields::State& state, const Eigen::VectorXd& u) const {
-  int changed = 0;
-  for (std::size_t t = 0; t < terms_.size(); ++t) changed += terms_[t]->update_status(state, own(t, u));
-  return changed;
-}
-
-std::vector<std::int8_t> LocalTerms::status(const fields::State& state) const {
-  std::vector<std::int8_t> all;
-  for (const auto& term : terms_) {
-    const auto each = term->status(state);
-    all.insert(all.end(), each.begin(), each.end());
-  }
-  return all;
-}
-
-std::string LocalTerms::point_name(std::size_t point, const fields::State& state) const {
-  for (const auto& term : terms_) {
-    const std::size_t count = term->status(state).size();
-    if (point < count) return term->point_name(point);
-    point -= count;
-  }
-  return {};
-}
-
-std::vector<std::pair<std::string, double>> LocalTerms::facts(const fields::State& state,
-                                                              const Eigen::VectorXd& u) const {
-  std::vector<std::pair<std::string, double>> all;
-  for (std::size_t t = 0; t < terms_.size(); ++t)
-    for (auto& fact : terms_[t]->facts(state, own(t, u))) all.push_back(std::move(fact));
-  return all;
+Eigen::VectorXd Condensed::displacement(const Eigen::VectorXd& load, const Eigen::VectorXd& traction,
+                                        const Eigen::VectorXd& change) const {
+  const Eigen::VectorXd force = points_.area.cwiseProduct(traction - points_.ground.cwiseProduct(change));
+  return solve(load - points_.jumps.transpose() * force);
 }
 
 namespace {
 
-/// Solves S u + c(u) = load in the free dofs for the present status. Returns the relative residual left, or a
-/// negative number if the system is singular.
-double solve_fixed_status(const LocalTerms& terms, const Eigen::MatrixXd& schur, const Eigen::VectorXd& load,
-                          const fields::State& state, Eigen::VectorXd& u) {
-  const std::vector<Index>& free = terms.free();
-  Eigen::VectorXd force;
-  Eigen::MatrixXd tangent;
-  double before = INFINITY;
-  for (int step = 0; step < most_newton_steps; ++step) {
-    terms.evaluate(state, u, force, tangent);
-    const Eigen::VectorXd bulk = schur * u(free);
-    const Eigen::VectorXd residual = bulk + force(free) - load;
-    const double scale = std::max({bulk.lpNorm<Eigen::Infinity>(), force.lpNorm<Eigen::Infinity>(),
-                                   load.lpNorm<Eigen::Infinity>(), 1e-300});
-    const double relative = residual.lpNorm<Eigen::Infinity>() / scale;
-    if (!std::isfinite(relative)) return -1;
-    // Round-off of stiff penalties may stop short of the tolerance: then it no longer falls.
-    if (relative < force_tolerance || (step > 1 && relative > 0.5 * before)) return relative;
-    before = relative;
-    const Eigen::MatrixXd matrix = schur + Eigen::MatrixXd(tangent(free, free));
-    if (!schur.isApprox(schur.transpose(), 1e-13)) {
-      const Eigen::PartialPivLU<Eigen::MatrixXd> factor(matrix);
-      if (!(factor.rcond() >= 1e-16)) return -1;
-      u(free) -= factor.solve(residual);
-      continue;
-    }
-    const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
-    if (factor.info() != Eigen::Success || factor.rcond() < 1e-16) return -1;
-    u(free) -= factor.solve(residual);
+/// The matrix of a Newton step, (I − F A D) ∂J/∂y + F A ∂q/∂y, its rows scaled to energies and its columns
+/// to 1.
+class StepMatrix {
+ public:
+  StepMatrix(const LocalTerms& terms, const Condensed& bulk, const model::JumpResponse& response)
+      : terms_(terms), bulk_(bulk), row_scale_(terms.area().cwiseProduct(terms.ground()).cwiseSqrt()) {
+    factor(response.jump_by, response.traction_by);
+    if (rcond_ >= poor) return;
+    Eigen::MatrixXd jump_by = response.jump_by;
+    for (Index i = 0; i < jump_by.rows(); ++i)
+      jump_by.row(i) += told_apart / terms.ground()[i] * response.traction_by.row(i);
+    factor(jump_by, response.traction_by);
   }
-  return before;
-}
+  bool regular() const { return rcond_ > singular; }
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
+    return column_scale_.cwiseProduct(factor_.solve(row_scale_.cwiseProduct(right)));
+  }
+
+ private:
+  void factor(const Eigen::MatrixXd& jump_by, const Eigen::MatrixXd& traction_by) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(terms_.size(), terms_.size());
+    for (const LocalTerms::Block& block : terms_.blocks()) {
+      const Index at = block.first, width = block.width;
+      matrix.middleCols(at, width) =
+          bulk_.by_jump().middleCols(at, width) * jump_by.block(at, 0, width, width) +
+          bulk_.by_traction().middleCols(at, width) * traction_by.block(at, 0, width, width);
+    }
+    matrix = row_scale_.asDiagonal() * matrix;
+    column_scale_ = matrix.cwiseAbs().colwise().maxCoeff().cwiseMax(1e-300).cwiseInverse();
+    matrix = matrix * column_scale_.asDiagonal();
+    factor_.compute(matrix);
+    rcond_ = matrix.allFinite() ? factor_.rcond() : 0;
+  }
+
+  const LocalTerms& terms_;
+  const Condensed& bulk_;
+  Eigen::VectorXd row_scale_, column_scale_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> factor_;
+  double rcond_ = 0;
+};
 
 std::string name_cycle(const LocalTerms& terms, const fields::State& state,
                        const std::vector<std::int8_t>& before) {
@@ -139,27 +120,131 @@ std::string name_cycle(const LocalTerms& terms, const fields::State& state,
          " points flip: " + names + (count > 4 ? " …" : "");
 }
 
+/// The search for the status that fits one load.
+class Search {
+ public:
+  Search(const LocalTerms& terms, const Condensed& bulk, const Eigen::VectorXd& load, fields::State& state,
+         Eigen::VectorXd& u)
+      : terms_(terms), bulk_(bulk), load_(load), state_(state), u_(u) {
+    terms_.begin(state_, terms_.jumps(u_), unknown_);
+    Eigen::VectorXd held = u_;
+    held(terms_.free()).setZero();
+    fixed_ = terms_.jumps(held);
+    from_load_ = bulk_.jump_of(load_);
+  }
+
+  LocalResult run(std::vector<model::Iteration>& rows) {
+    const int most = most_statuses + static_cast<int>(terms_.blocks().size());
+    for (int number = 1; number <= most; ++number) {
+      const std::vector<std::int8_t> before = terms_.status(state_);
+      if (!visited_.insert(before).second && !break_cycle()) return {false, false, cycle_};
+      residual_ = solve_fixed_status();
+      if (residual_ < 0) {
+        if (step_back() || ground()) continue;
+        return {false, true, "the joints do not hold a body that nothing else holds"};
+      }
+      good_ = before;
+      good_unknown_ = unknown_;
+      const int changed = update();
+      add_row(number, changed, rows);
+      if (changed > 0) continue;
+      if (terms_.settle(state_, unknown_)) {
+        visited_.clear();
+        one_ = false;
+        continue;
+      }
+      finish();
+      return {true, false, {}};
+    }
+    return {false, false, "the status of joints still changes after " + std::to_string(most) + " iterations"};
+  }
+
+ private:
+  /// Newton for the present status; the relative misfit of the jumps, or a negative number if singular.
+  double solve_fixed_status() {
+    double before = INFINITY;
+    for (int step = 0; step < most_newton_steps; ++step) {
+      terms_.respond(state_, unknown_, response_);
+      change_ = response_.jump - fixed_;
+      const Eigen::VectorXd pressed = bulk_.by_traction() * response_.traction;
+      const Eigen::VectorXd misfit = bulk_.by_jump() * change_ - from_load_ + pressed;
+      const double scale = std::max({largest(change_), largest(from_load_), largest(pressed), 1e-300});
+      const double relative = largest(misfit) / scale;
+      if (!std::isfinite(relative)) return -1;
+      if (step > 0 && (relative < fit || (step > 1 && relative > 0.5 * before))) return relative;
+      before = relative;
+      const StepMatrix matrix(terms_, bulk_, response_);
+      if (!matrix.regular()) return -1;
+      if (relative < fit) return relative;  // nothing to do, and nothing moves
+      unknown_ -= matrix.solve(misfit);
+    }
+    return before;
+  }
+
+  int update() {
+    const Eigen::VectorXd u = displacement();
+    const model::StatusChange change{displacement_digits * std::max(largest(u), largest(u_)), one_};
+    return terms_.update_status(state_, change, unknown_);
+  }
+
+  Eigen::VectorXd displacement() const { return bulk_.displacement(load_, response_.traction, change_); }
+
+  /// A status came back: from here on points change one by one, the one that fits worst first. False if they
+  /// do so already.
+  bool break_cycle() {
+    if (one_) {
+      const std::vector<std::int8_t> before = terms_.status(state_);
+      if (good_.size() == before.size()) cycle_ = name_cycle(terms_, state_, good_);
+      return false;
+    }
+    one_ = true;
+    visited_.clear();
+    return true;
+  }
+
+  /// The last change let a body loose: only its worst point changes.
+  bool step_back() {
+    if (one_ || good_.empty()) return false;
+    one_ = true;
+    visited_.clear();
+    terms_.restore(state_, good_);
+    unknown_ = good_unknown_;
+    terms_.respond(state_, unknown_, response_);
+    change_ = response_.jump - fixed_;
+    return update() > 0;
+  }
+
+  /// A body that nothing holds moves with its load until a point touches.
+  bool ground() { return terms_.close_first(state_, from_load_, unknown_); }
+
+  void add_row(int number, int changed, std::vector<model::Iteration>& rows) {
+    model::Iteration row{1, number, residual_, {{"changed", changed}}};
+    for (auto& fact : terms_.facts(state_, unknown_)) row.facts.push_back(std::move(fact));
+    rows.push_back(std::move(row));
+  }
+
+  void finish() { u_(terms_.free()) = displacement(); }
+
+  const LocalTerms& terms_;
+  const Condensed& bulk_;
+  const Eigen::VectorXd& load_;
+  fields::State& state_;
+  Eigen::VectorXd& u_;
+  Eigen::VectorXd unknown_, good_unknown_, fixed_, from_load_, change_;
+  model::JumpResponse response_;
+  std::set<std::vector<std::int8_t>> visited_;
+  std::vector<std::int8_t> good_;  ///< the last status that could be solved
+  std::string cycle_;
+  double residual_ = 0;
+  bool one_ = false;
+};
+
 }  // namespace
 
-LocalResult iterate(const LocalTerms& terms, const Eigen::MatrixXd& schur, const Eigen::VectorXd& load,
+LocalResult iterate(const LocalTerms& terms, const Condensed& bulk, const Eigen::VectorXd& load,
                     fields::State& state, Eigen::VectorXd& u, std::vector<model::Iteration>& rows) {
-  std::set<std::vector<std::int8_t>> visited;
-  for (int number = 1; number <= most_statuses; ++number) {
-    const std::vector<std::int8_t> before = terms.status(state);
-    if (!visited.insert(before).second) {
-      terms.update_status(state, u);
-      return {false, false, name_cycle(terms, state, before)};
-    }
-    const double residual = solve_fixed_status(terms, schur, load, state, u);
-    if (residual < 0) return {false, true, "the joints do not hold a body that nothing else holds"};
-    const int changed = terms.update_status(state, u);
-    model::Iteration row{1, number, residual, {{"changed", changed}}};
-    for (auto& fact : terms.facts(state, u)) row.facts.push_back(std::move(fact));
-    rows.push_back(std::move(row));
-    if (changed == 0) return {true, false, {}};
-  }
-  return {false, false,
-          "the status of joints still changes after " + std::to_string(most_statuses) + " iterations"};
+  if (!bulk.held()) return {false, true, "nothing holds a body, not even joints that touch"};
+  return Search(terms, bulk, load, state, u).run(rows);
 }
 
 }  // namespace ashlar::solve

@@ -98,11 +98,18 @@ class March {
     return ended_[parent];
   }
 
-  Bulk& bulk_for(const Prepared& ready, const LocalTerms& local, model::StageResult& result) {
+  LocalTerms& local_for(const Prepared& ready) {
+    if (!local_ || !local_->serves(ready.terms.local, ready.constraints))
+      local_.emplace(ready.terms.local, ready.constraints);
+    return *local_;
+  }
+
+  Bulk& bulk_for(const Prepared& ready, LocalTerms& local, model::StageResult& result) {
     const BulkTerms terms{ready.terms.stiffness, ready.terms.nonlinear};
     result.factored = !bulk_ || !bulk_->serves(terms, ready.constraints, local.touched());
     if (result.factored) {
       bulk_.reset();  // frees the old factor first
+      local.bulk_changed();
       bulk_.emplace(in_.model, terms, ready.constraints, local.touched(), make_solver(terms.symmetric()));
     }
     result.unknowns = ready.constraints.unknowns();
@@ -129,7 +136,7 @@ class March {
     model::StageResult result;
     result.name = in_.scene.stages[s].name;
     for (const model::Call& call : in_.plan.stages[s].calls) result.effects.push_back(call.effect);
-    const LocalTerms local(ready.terms.local, ready.constraints);
+    LocalTerms& local = local_for(ready);
     Bulk& bulk = bulk_for(ready, local, result);
     if (!bulk.report().done) {
       result.converged = false;
@@ -151,7 +158,7 @@ class March {
   }
 
   /// Load steps from the start to the stage's end: one if it converges, else halved and grown again.
-  bool step_through(Bulk& bulk, const LocalTerms& local, const Prepared& ready, const Ended& start,
+  bool step_through(Bulk& bulk, LocalTerms& local, const Prepared& ready, const Ended& start,
                     model::StageResult& result) {
     const auto from = start.state.committed(displacement);
     if (!agrees(ready.constraints, from, result)) return false;
@@ -223,6 +230,7 @@ class March {
     for (const auto& term : ready.terms.nonlinear) term->add_results(state_, result);
     for (const auto& term : ready.terms.local) term->add_results(state_, result);
     for (const auto& term : ready.terms.loads) term->add_results(state_, result);
+    add_lip_pressures(in_.model, ready.terms, result);
     double largest = 0;
     for (const double u : state_.committed(displacement)) largest = std::max(largest, std::abs(u));
     if (largest > large_share * in_.model.length)
@@ -230,8 +238,7 @@ class March {
                           core::format_quantity(largest, {1, 0, 0}) + ", " +
                           std::to_string(static_cast<int>(100 * largest / in_.model.length)) +
                           " % of the model: small-displacement theory, which is used, no longer holds");
-    if (condition_wanted())
-      result.condition = condition_estimate(bulk, local, state_, ready.constraints.unknowns());
+    if (condition_wanted()) result.condition = condition_estimate(bulk, local, ready.constraints.unknowns());
     warn_of_round_off(result);
     const std::vector<double> forces = out_of_balance(bulk, local, ready.load, state_);
     // Where all load is taken off, what is left is round-off of the forces that were.
@@ -293,6 +300,7 @@ class March {
   std::vector<Ended> ended_;
   std::vector<Index> probe_points_;
   std::optional<Bulk> bulk_;
+  std::optional<LocalTerms> local_;
 };
 
 }  // namespace

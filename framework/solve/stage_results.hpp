@@ -28,6 +28,10 @@ void warn_of_unread(const model::Scene& scene, const model::StageResult& result)
 void warn_of_mixed_probes(const model::Scene& scene, const model::Model& model,
                           std::span<const geometry::Index> points);
 
+/// Pressures that loads exert between the lips of joints (water, grout), beside the effective ones of
+/// contact.
+void add_lip_pressures(const model::Model& model, const model::Terms& terms, model::StageResult& result);
+
 /// Least and greatest value of every component of every field in `result`, with their places.
 void add_extremes(const model::Model& model, model::StageResult& result);
 

@@ -2,27 +2,44 @@
 
 #include <algorithm>
 
-#include "contact/enforcement/penalty/penalty.hpp"
-#include "contact/friction/none/none.hpp"
-#include "contact/normal_laws/unilateral/unilateral.hpp"
-#include "contact/pairing/node_to_segment/node_to_segment.hpp"
+#include "contact/laws.hpp"
 #include "core/log.hpp"
 
 namespace ashlar::contact {
 
 namespace {
 
-/// "1.2 MPa/m … 3.4 MPa/m": the slopes of the pressure over the points of a joint.
+// Lips that overlap by more than this share of the mesh size at the start are a mistake in the drawing, less
+// is rounding of coordinates that the first stage presses out.
+constexpr double overlap_allowed = 1e-3;
+
+/// "1.2 MPa/m … 3.4 MPa/m": how stiffly points are held; "exactly".
 std::string stiffness_text(const JointContact& joint) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const ContactPoint& point : joint.points) {
-    const double k = -joint.enforcement->pressure(point.gap, point).by_gap;
+    const double k = 1 / joint.enforcement->hold(point, {0, 0}, 1).normal;
     least = std::min(least, k);
     most = std::max(most, k);
   }
+  if (std::isinf(least)) return "held exactly";
   const core::Dimension unit = core::parse_dimension("Pa/m");
   const std::string low = core::format_quantity(least, unit), high = core::format_quantity(most, unit);
-  return low == high ? low : low + " … " + high;
+  return "stiffness " + (low == high ? low : low + " … " + high);
+}
+
+std::string at_text(Point at) {
+  return "(" + core::format_quantity(at.x, {1, 0, 0}) + ", " + core::format_quantity(at.y, {1, 0, 0}) + ")";
+}
+
+void check_overlap(const JointContact& joint, const core::Place& place, core::Mistakes& mistakes) {
+  const auto deepest = std::ranges::min_element(joint.points, {}, &ContactPoint::gap);
+  if (deepest == joint.points.end() || deepest->gap >= 0) return;
+  const std::string words = "the bodies of joint '" + joint.name + "' overlap at the start by " +
+                            core::format_quantity(-deepest->gap, {1, 0, 0}) + " at " + at_text(deepest->at);
+  if (-deepest->gap > overlap_allowed * deepest->h)
+    mistakes.add(place, words, "draw them apart, or so that they just touch");
+  else
+    core::log().warning(words + ": the first stage presses it out");
 }
 
 }  // namespace
@@ -34,15 +51,7 @@ int slave_lip(const mesh::JointLips& joint, const std::string& named) {
 }
 
 void Contact::check(const model::Scene& scene, core::Mistakes& mistakes) const {
-  for (const model::JointData& joint : scene.joints) {
-    check_joint(joint, mistakes);
-    if (scene.order > 1 && joint.settings.entry("pairing").object &&
-        joint.settings.object("pairing").name == "node_to_segment")
-      mistakes.add(joint.settings.place_of("pairing"),
-                   "node_to_segment pairs the points of elements of order 1, but the scene says order " +
-                       std::to_string(scene.order),
-                   "say order = 1");
-  }
+  for (const model::JointData& joint : scene.joints) check_joint(joint, mistakes);
 }
 
 void Contact::check_joint(const model::JointData& joint, core::Mistakes& mistakes) const {
@@ -51,6 +60,7 @@ void Contact::check_joint(const model::JointData& joint, core::Mistakes& mistake
   if (!settings.said("friction"))
     mistakes.add({settings.place.file, settings.place.line, settings.place.path + ".friction"},
                  name + " does not say its friction", core::did_you_mean("", registry_.names("friction")));
+  make_joint_law(registry_, settings, mistakes);
   const std::string slave = settings.text("slave");
   if (slave.empty()) return;
   const std::vector<std::string> lips = {joint.line.name + "." + joint.line.sides[0],
@@ -62,42 +72,38 @@ void Contact::check_joint(const model::JointData& joint, core::Mistakes& mistake
 }
 
 JointContact Contact::make_joint(const model::Model& model, const mesh::JointLips& lips,
-                                 const core::Settings& settings) const {
-  const auto make = [&]<class Make>(const char* kind, const char* key) {
-    const core::Settings& part = settings.object(key);
-    return registry_.make<Make>(kind, part.name)(part);
-  };
+                                 const core::Settings& settings, core::Mistakes& mistakes) const {
   JointContact joint;
   joint.name = lips.name;
-  joint.slave = slave_lip(lips, settings.text("slave"));
-  joint.law = make.operator()<MakeNormalLaw>("normal_law", "normal_law");
-  joint.enforcement = make.operator()<MakeEnforcement>("enforcement", "enforce");
-  joint.friction = make.operator()<MakeFriction>("friction", "friction");
-  joint.points = make.operator()<MakePairing>("pairing", "pairing")->pair(model, lips, joint.slave);
+  joint.law = make_joint_law(registry_, settings, mistakes);
+  joint.enforcement = part<MakeEnforcement>(settings, "enforcement", "enforce");
+  const int slave = slave_lip(lips, settings.text("slave"));
+  joint.points = part<MakePairing>(settings, "pairing", "pairing")->pair(model, lips, slave);
+  if (joint.points.empty()) {
+    core::log().warning("joint '" + joint.name + "' has no contact points: it is welded all along");
+    return joint;
+  }
+  check_overlap(joint, settings.place, mistakes);
+  core::log().info("joint '" + joint.name + "': " + std::to_string(joint.points.size()) +
+                   " contact points on lip '" + joint.name + "." + lips.sides[slave] + "', " +
+                   stiffness_text(joint));
   return joint;
 }
 
-std::shared_ptr<ContactTerm> Contact::make_term(const model::Scene& scene, const model::Model& model) const {
+std::shared_ptr<ContactTerm> Contact::make_term(const model::StageContext& context) const {
   std::vector<JointContact> joints;
-  for (const mesh::JointLips& lips : model.mesh.joints) {
-    const auto said = std::find_if(scene.joints.begin(), scene.joints.end(),
-                                   [&](const model::JointData& data) { return data.line.name == lips.name; });
-    if (said == scene.joints.end()) continue;
-    JointContact joint = make_joint(model, lips, said->settings);
-    if (joint.points.empty()) {
-      core::log().warning("joint '" + joint.name + "' has no contact points: it is welded all along");
-      continue;
-    }
-    core::log().info("joint '" + joint.name + "': " + std::to_string(joint.points.size()) +
-                     " contact points on lip '" + joint.name + "." + lips.sides[joint.slave] +
-                     "', stiffness " + stiffness_text(joint));
-    joints.push_back(std::move(joint));
+  for (const mesh::JointLips& lips : context.model.mesh.joints) {
+    const auto said = std::ranges::find_if(
+        context.scene.joints, [&](const model::JointData& data) { return data.line.name == lips.name; });
+    if (said == context.scene.joints.end()) continue;
+    JointContact joint = make_joint(context.model, lips, said->settings, context.mistakes);
+    if (!joint.points.empty()) joints.push_back(std::move(joint));
   }
-  return std::make_shared<ContactTerm>(model, std::move(joints));
+  return std::make_shared<ContactTerm>(context.model, std::move(joints));
 }
 
 void Contact::contribute(const model::StageContext& context, model::Terms& terms) {
-  if (model_ != &context.model) term_ = make_term(context.scene, context.model);
+  if (model_ != &context.model) term_ = make_term(context);
   model_ = &context.model;
   if (term_->joints().empty()) return;
   term_->add_state(context.state);
@@ -105,34 +111,3 @@ void Contact::contribute(const model::StageContext& context, model::Terms& terms
 }
 
 }  // namespace ashlar::contact
-
-namespace {
-
-using namespace ashlar;
-using core::Settings;
-
-std::shared_ptr<const contact::Pairing> make_pairing(const Settings& settings) {
-  using Weight = contact::NodeToSegment::Weight;
-  return std::make_shared<contact::NodeToSegment>(settings.text("weight") == "equal" ? Weight::equal
-                                                                                     : Weight::tributary);
-}
-
-std::shared_ptr<const contact::Enforcement> make_penalty(const Settings& settings) {
-  return std::make_shared<contact::Penalty>(settings.number("factor"), settings.number("stiffness", 0));
-}
-
-}  // namespace
-
-ASHLAR_MODULE(registry) {
-  registry.add_make("effect", "contact", std::function<model::MakeEffect>([](core::Registry& all) {
-                      return std::make_unique<contact::Contact>(all);
-                    }));
-  registry.add_make("pairing", "node_to_segment", std::function<contact::MakePairing>(make_pairing));
-  registry.add_make("normal_law", "unilateral", std::function<contact::MakeNormalLaw>([](const Settings&) {
-                      return std::make_shared<contact::Unilateral>();
-                    }));
-  registry.add_make("friction", "none", std::function<contact::MakeFriction>([](const Settings&) {
-                      return std::make_shared<contact::Frictionless>();
-                    }));
-  registry.add_make("enforcement", "penalty", std::function<contact::MakeEnforcement>(make_penalty));
-}

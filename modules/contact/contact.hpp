@@ -16,10 +16,16 @@ class Contact final : public model::Effect {
   void contribute(const model::StageContext& context, model::Terms& terms) override;
 
  private:
+  /// The part of this kind that the joint names, made by its module.
+  template <class Make>
+  auto part(const core::Settings& joint, const char* kind, const char* key) const {
+    const core::Settings& named = joint.object(key);
+    return registry_.make<Make>(kind, named.name)(named);
+  }
   void check_joint(const model::JointData& joint, core::Mistakes& mistakes) const;
   JointContact make_joint(const model::Model& model, const mesh::JointLips& lips,
-                          const core::Settings& settings) const;
-  std::shared_ptr<ContactTerm> make_term(const model::Scene& scene, const model::Model& model) const;
+                          const core::Settings& settings, core::Mistakes& mistakes) const;
+  std::shared_ptr<ContactTerm> make_term(const model::StageContext& context) const;
 
   core::Registry& registry_;
   const model::Model* model_ = nullptr;  ///< of `term_`

@@ -10,73 +10,106 @@ namespace ashlar::contact {
 
 namespace {
 
+using model::JointResult;
+
 // Half an edge at a welded tip has no contact point: what it carries goes through the tip's cells.
-void add_lengths(const mesh::Mesh& mesh, const JointContact& parts, model::JointResult& result) {
+void add_lengths(const mesh::Mesh& mesh, const JointContact& parts, JointResult& result) {
   for (const ContactPoint& point : parts.points) result.contact_length += point.length;
   const auto joint = std::find_if(mesh.joints.begin(), mesh.joints.end(),
                                   [&](const mesh::JointLips& each) { return each.name == parts.name; });
   if (joint == mesh.joints.end()) return;
+  const int slave = parts.points.front().slave;
   std::set<Index> master;
-  for (const mesh::LipEdge& edge : joint->lips[1 - parts.slave]) master.insert({edge.from, edge.to});
-  for (const mesh::LipEdge& edge : joint->lips[parts.slave]) {
+  for (const mesh::LipEdge& edge : joint->lips[1 - slave]) master.insert({edge.from, edge.to});
+  for (const mesh::LipEdge& edge : joint->lips[slave]) {
     result.length += geometry::distance(mesh.points[edge.from], mesh.points[edge.to]);
     if (master.contains(edge.from)) result.tips.push_back({edge.s_from, mesh.points[edge.from]});
     if (master.contains(edge.to)) result.tips.push_back({edge.s_to, mesh.points[edge.to]});
   }
 }
 
-}  // namespace
-
-std::span<const double> ContactTerm::open(const fields::State& state, std::size_t joint) const {
-  return state.committed(state.find("contact." + joints_[joint].name + ".open"));
+JointResult::Row::State state_of(Status status) {
+  if (status == Status::open) return JointResult::Row::State::open;
+  return status == Status::stick ? JointResult::Row::State::stick : JointResult::Row::State::slip;
 }
 
-void ContactTerm::add_row(std::size_t joint, std::size_t point, bool closed, std::span<const double> u,
-                          model::JointResult& result) const {
-  const JointContact& parts = joints_[joint];
-  const ContactPoint& p = parts.points[point];
-  const Motion now = motion(joint, point, u);
-  model::JointResult::Row row{p.s, p.at, now.gap, now.slip, 0, closed, p.piece};
-  if (closed) {
-    const double pressure = parts.enforcement->pressure(now.gap, p).value;
-    const double shear = parts.friction->shear(now.slip, pressure).value;
-    const double area = p.weight * model_.depth(p.at);
-    row.pressure = pressure * p.weight / p.length;
-    result.normal_force += pressure * area;
-    const Point force = area * (pressure * p.normal - shear * p.tangent);  // on the slave
-    for (const ContactPoint::Share& share : p.shares) {
-      if ((share.factor > 0) != (parts.slave == 0)) continue;
-      const Point on_first = share.factor * force, at = model_.mesh.points[share.point];
-      result.resultant.x += on_first.x;
-      result.resultant.y += on_first.y;
-      result.resultant.moment += geometry::cross(at, on_first);
-    }
-    ++result.closed;
+/// Contact force of a point on the first lip's body, with its moment about the origin.
+void add_force(const ContactPoint& point, const PointMemory& memory, model::Resultant& sum) {
+  const Point on_slave = point.area * (memory.pressure * point.normal - memory.shear * point.tangent);
+  for (const ContactPoint::Share& share : point.shares) {
+    if ((share.factor > 0) != (point.slave == 0)) continue;
+    const Point on_first = share.factor * on_slave;
+    sum.x += on_first.x;
+    sum.y += on_first.y;
+    sum.moment += geometry::cross(share.at, on_first);
   }
+}
+
+void add_extremes(const ContactPoint& point, const JointResult::Row& row, JointResult& result) {
   result.max_opening = std::max(result.max_opening, row.opening);
   result.max_slip = std::max(result.max_slip, std::abs(row.slip));
   result.max_pressure = std::max(result.max_pressure, row.pressure);
-  if (closed && -now.gap > result.max_penetration) result.max_penetration = -now.gap;
-  if (closed) result.penetration_over_h = std::max(result.penetration_over_h, -now.gap / p.h);
+  result.max_shear = std::max(result.max_shear, std::abs(row.shear));
+  if (!row.closed) return;
+  result.max_penetration = std::max(result.max_penetration, -row.opening);
+  result.penetration_over_h = std::max(result.penetration_over_h, -row.opening / point.h);
+}
+
+}  // namespace
+
+void ContactTerm::add_row(const PointMemory& memory, std::size_t joint, std::size_t point,
+                          std::span<const double> jump, JointResult& result) const {
+  const ContactPoint& p = joints_[joint].points[point];
+  const Friction& friction = *joints_[joint].law.friction;
+  JointResult::Row row{.s = p.s, .at = p.at, .opening = jump[0], .slip = jump[1]};
+  row.closed = touching(memory.status);
+  row.state = state_of(memory.status);
+  row.piece = p.piece;
+  row.pressure = p.weight * memory.pressure;
+  row.shear = p.weight * memory.shear;
+  if (row.closed) {
+    const double strength = friction.strength(memory.pressure, memory.path).value;
+    if (strength > 0) row.utilisation = std::abs(memory.shear) / strength;
+    result.strength_force += strength * p.area;
+    ++result.closed;
+    result.slipping += row.state == JointResult::Row::State::slip;
+  } else {
+    result.cracked_length += p.length;
+  }
+  result.normal_force += memory.pressure * p.area;
+  result.shear_force += memory.shear * p.area;
+  result.action_s += memory.pressure * p.area * p.s;
+  add_force(p, memory, result.resultant);
+  add_extremes(p, row, result);
   result.rows.push_back(row);
 }
 
-model::JointResult ContactTerm::joint_result(std::size_t joint, std::span<const double> open,
-                                             std::span<const double> u) const {
-  model::JointResult result;
+model::JointResult ContactTerm::joint_result(const fields::State& state, std::size_t joint,
+                                             std::span<const double> jump) const {
+  JointResult result;
   result.name = joints_[joint].name;
-  result.points = static_cast<int>(open.size());
+  result.points = static_cast<int>(joints_[joint].points.size());
   add_lengths(model_.mesh, joints_[joint], result);
-  for (std::size_t p = 0; p < open.size(); ++p) add_row(joint, p, open[p] == 0, u, result);
+  for (std::size_t p = 0; p < joints_[joint].points.size(); ++p)
+    add_row(committed(state, joint, p), joint, p, jump.subspan(2 * p, 2), result);
+  result.action_s = result.normal_force != 0 ? result.action_s / result.normal_force : 0;
+  // Shear that is next to nothing beside the strength is round-off: nothing pushes.
+  const double push = std::abs(result.shear_force);
+  if (push > 1e-12 * result.strength_force && push > 0) result.safety = result.strength_force / push;
   return result;
 }
 
 void ContactTerm::add_results(const fields::State& state, model::StageResult& result) const {
-  const auto all = state.committed(state.find(model_.dofs.field().name));
-  std::vector<double> u;
-  for (const Index dof : touched_) u.push_back(all[dof]);
-  for (std::size_t j = 0; j < joints_.size(); ++j)
-    result.joints.push_back(joint_result(j, open(state, j), u));
+  const auto u = state.committed(state.find(model_.dofs.field().name));
+  std::vector<double> jump = jumps_.initial;
+  for (Index i = 0; i < jumps_.size(); ++i)
+    for (const model::Jumps::Part& part : jumps_.parts[i]) jump[i] += part.factor * u[touched_[part.place]];
+  std::size_t first = 0;
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const std::size_t count = 2 * joints_[j].points.size();
+    result.joints.push_back(joint_result(state, j, std::span<const double>(jump).subspan(first, count)));
+    first += count;
+  }
 }
 
 }  // namespace ashlar::contact

@@ -8,17 +8,25 @@ namespace ashlar::contact {
 
 namespace {
 
-// Gaps are differences of displacements: below this part of the largest displacement they are round-off.
-constexpr double displacement_digits = 1e-12;
+using fields::State;
 
-std::string state_name(const JointContact& joint) {
-  return "contact." + joint.name + ".open";
+// A pull below this part of the greatest traction is round-off.
+constexpr double traction_digits = 1e-10;
+// Numbers that a point remembers, as they stand in the state.
+constexpr std::size_t memory_size = 9;
+
+Unknowns unknowns_at(std::span<const double> all, Index component) {
+  return {all[component], all[component + 1]};
 }
 
-double gap_tolerance(std::span<const double> u) {
-  double largest = 0;
-  for (const double value : u) largest = std::max(largest, std::abs(value));
-  return displacement_digits * largest;
+/// What lips begin with that come to touch.
+Status touching_status(const JointLaw& law) {
+  return law.friction->frictionless() ? Status::slip_forward : Status::stick;
+}
+
+void put_unknowns(const Unknowns& own, Index component, std::span<double> all) {
+  all[component] = own[0];
+  all[component + 1] = own[1];
 }
 
 }  // namespace
@@ -28,95 +36,240 @@ ContactTerm::ContactTerm(const model::Model& model, std::vector<JointContact> jo
   for (const JointContact& joint : joints_)
     for (const ContactPoint& point : joint.points)
       for (const ContactPoint::Share& share : point.shares)
-        for (int c = 0; c < 2; ++c) touched_.push_back(model.dofs.of_point(share.point) + c);
+        touched_.insert(touched_.end(), {share.dof, share.dof + 1});
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  for (const JointContact& joint : joints_) {
-    auto& by_point = local_.emplace_back();
-    for (const ContactPoint& point : joint.points) {
-      auto& places = by_point.emplace_back();
+  for (const JointContact& joint : joints_) add_jumps(joint);
+}
+
+// gap = g₀ + n · Σ factor u, slip = s · Σ factor u.
+void ContactTerm::add_jumps(const JointContact& joint) {
+  for (const ContactPoint& point : joint.points) {
+    for (const Point& direction : {point.normal, point.tangent}) {
+      std::vector<model::Jumps::Part>& row = jumps_.parts.emplace_back();
       for (const ContactPoint::Share& share : point.shares) {
-        const Index dof = model.dofs.of_point(share.point);
-        places.push_back(
-            static_cast<Index>(std::lower_bound(touched_.begin(), touched_.end(), dof) - touched_.begin()));
+        const auto place = static_cast<Index>(std::lower_bound(touched_.begin(), touched_.end(), share.dof) -
+                                              touched_.begin());
+        row.push_back({place, share.factor * direction.x});
+        row.push_back({place + 1, share.factor * direction.y});
       }
     }
+    jumps_.initial.insert(jumps_.initial.end(), {point.gap, 0});
+    jumps_.area.insert(jumps_.area.end(), 2, point.area);
+    jumps_.ground.insert(jumps_.ground.end(), 2, point.modulus / point.h);
   }
 }
 
-void ContactTerm::add_state(fields::State& state) const {
-  for (const JointContact& joint : joints_) state.add(state_name(joint), joint.points.size());
+void ContactTerm::for_each(const auto& visit) const {
+  Index component = 0;
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    for (std::size_t p = 0; p < joints_[j].points.size(); ++p, component += 2) visit(j, p, component);
+}
+
+// The base holds two tractions a point, then the growth of the augmented stiffness and the penetration when
+// it was last judged.
+void ContactTerm::add_state(State& state) {
+  memory_.clear();
+  base_.clear();
+  for (const JointContact& joint : joints_) {
+    memory_.push_back(state.add("contact." + joint.name + ".memory", memory_size * joint.points.size()));
+    base_.push_back(state.add("contact." + joint.name + ".base", 2 * joint.points.size() + 2));
+  }
 }
 
 std::size_t ContactTerm::bytes() const {
   std::size_t sum = touched_.capacity() * sizeof(Index);
   for (const JointContact& joint : joints_)
     for (const ContactPoint& point : joint.points)
-      sum += sizeof point + sizeof(std::vector<Index>) +
-             point.shares.size() * (sizeof(ContactPoint::Share) + sizeof(Index));
+      sum +=
+          sizeof point + point.shares.size() * (sizeof(ContactPoint::Share) + 4 * sizeof(model::Jumps::Part));
   return sum;
 }
 
-ContactTerm::Motion ContactTerm::motion(std::size_t joint, std::size_t point,
-                                        std::span<const double> u) const {
-  const ContactPoint& p = joints_[joint].points[point];
-  const std::vector<Index>& place = local_[joint][point];
-  Point jump;
-  for (std::size_t i = 0; i < p.shares.size(); ++i)
-    jump = jump + p.shares[i].factor * Point{u[place[i]], u[place[i] + 1]};
-  return {p.gap + geometry::dot(p.normal, jump), geometry::dot(p.tangent, jump)};
+// The status is stored as its number + 1; 0 is a point that no stage has seen yet.
+PointMemory ContactTerm::from_array(std::span<const double> array, std::size_t joint,
+                                    std::size_t point) const {
+  const double* m = array.data() + memory_size * point;
+  PointMemory memory;
+  memory.status = m[0] > 0                                ? static_cast<Status>(std::lround(m[0]) - 1)
+                  : joints_[joint].points[point].gap <= 0 ? touching_status(joints_[joint].law)
+                                                          : Status::open;
+  memory.pressure = m[1], memory.shear = m[2], memory.rest = m[3], memory.path = m[4];
+  memory.dilation = m[5];
+  std::copy(m + 6, m + memory_size, memory.law.begin());
+  return memory;
 }
 
-// c = Aᵀ T w t with T = −p n + τ s; n: normal, s: tangent, w: weight, t: thickness, A: the jump.
-// ∂T/∂J = −p′ n nᵀ + τ,ₛ s sᵀ + τ,ₚ p′ s nᵀ.
-void ContactTerm::add_point(std::size_t joint, std::size_t point, std::span<const double> u,
-                            Eigen::Ref<Eigen::VectorXd> force, Eigen::Ref<Eigen::MatrixXd> tangent) const {
-  const JointContact& parts = joints_[joint];
-  const ContactPoint& p = parts.points[point];
-  const std::vector<Index>& place = local_[joint][point];
-  const Motion now = motion(joint, point, u);
-  const Pressure pressure = parts.enforcement->pressure(now.gap, p);
-  const Shear shear = parts.friction->shear(now.slip, pressure.value);
-  const Eigen::Vector2d n(p.normal.x, p.normal.y), s(p.tangent.x, p.tangent.y);
-  const double area = p.weight * model_.depth(p.at);
-  const Eigen::Vector2d traction = area * (shear.value * s - pressure.value * n);
-  const Eigen::Matrix2d slope = area * (shear.by_slip * s * s.transpose() +
-                                        pressure.by_gap * (shear.by_pressure * s - n) * n.transpose());
-  for (std::size_t i = 0; i < p.shares.size(); ++i) {
-    force.segment<2>(place[i]) += p.shares[i].factor * traction;
-    for (std::size_t j = 0; j < p.shares.size(); ++j)
-      tangent.block<2, 2>(place[i], place[j]) += p.shares[i].factor * p.shares[j].factor * slope;
+PointMemory ContactTerm::committed(const State& state, std::size_t joint, std::size_t point) const {
+  return from_array(state.committed(memory_[joint]), joint, point);
+}
+
+PointMemory ContactTerm::trial(const State& state, std::size_t joint, std::size_t point) const {
+  return from_array(state.trial(memory_[joint]), joint, point);
+}
+
+void ContactTerm::put(State& state, std::size_t joint, std::size_t point, const PointMemory& memory) const {
+  double* m = state.trial(memory_[joint]).data() + memory_size * point;
+  m[0] = static_cast<double>(memory.status) + 1;
+  m[1] = memory.pressure, m[2] = memory.shear, m[3] = memory.rest, m[4] = memory.path;
+  m[5] = memory.dilation;
+  std::copy(memory.law.begin(), memory.law.end(), m + 6);
+}
+
+Hold ContactTerm::hold(const State& state, std::size_t joint, std::size_t point) const {
+  const JointContact& own = joints_[joint];
+  const auto base = state.trial(base_[joint]);
+  return own.enforcement->hold(own.points[point], {base[2 * point], base[2 * point + 1]},
+                               std::max(1.0, base[base.size() - 2]));
+}
+
+PointResponse ContactTerm::answer(const State& state, std::size_t joint, std::size_t point,
+                                  std::span<const double> own) const {
+  return contact::respond(joints_[joint].law, hold(state, joint, point), committed(state, joint, point),
+                          trial(state, joint, point).status, {own[0], own[1]});
+}
+
+void ContactTerm::respond(const State& state, std::span<const double> unknown,
+                          model::JumpResponse& response) const {
+  response.resize(jumps_.size(), 2);
+  for_each([&](std::size_t j, std::size_t p, Index c) {
+    const PointResponse own = answer(state, j, p, unknown.subspan(c, 2));
+    response.jump.segment<2>(c) = own.jump;
+    response.traction.segment<2>(c) = own.traction;
+    response.jump_by.middleRows<2>(c) = own.jump_by;
+    response.traction_by.middleRows<2>(c) = own.traction_by;
+  });
+}
+
+void ContactTerm::begin(const State& state, std::span<const double> jump, std::span<double> unknown) const {
+  for_each([&](std::size_t j, std::size_t p, Index c) {
+    const PointMemory memory = trial(state, j, p);
+    put_unknowns(begin_with(joints_[j].law, memory.status, memory, unknowns_at(jump, c)), c, unknown);
+  });
+}
+
+std::vector<ContactTerm::Misfit> ContactTerm::misfits(const State& state, const model::StatusChange& change,
+                                                      std::span<const double> unknown) const {
+  model::JumpResponse all;
+  respond(state, unknown, all);
+  const double most = all.traction.size() ? all.traction.lpNorm<Eigen::Infinity>() : 0;
+  const Tolerance tolerance{traction_digits * most, change.jump};
+  std::vector<Misfit> list;
+  for_each([&](std::size_t j, std::size_t p, Index c) {
+    const Unknowns own = unknowns_at(unknown, c);
+    const Status now = trial(state, j, p).status;
+    const PointResponse response = answer(state, j, p, unknown.subspan(c, 2));
+    const Status next = next_status(joints_[j].law, committed(state, j, p), now, own, response, tolerance);
+    if (next == now) return;
+    // Energy by which the status is wrong: tractions times the displacement that they would cause.
+    const double ground = jumps_.ground[c];
+    const double size = jumps_.area[c] * (touching(now) ? response.traction.squaredNorm() / ground
+                                                        : response.jump.squaredNorm() * ground);
+    list.push_back({j, p, c, next, size, response});
+  });
+  return list;
+}
+
+void ContactTerm::change_status(State& state, const Misfit& misfit, std::span<double> unknown) const {
+  PointMemory memory = trial(state, misfit.joint, misfit.point);
+  memory.status = misfit.next;
+  memory.pressure = -misfit.response.traction[0];
+  memory.shear = misfit.response.traction[1];
+  put(state, misfit.joint, misfit.point, memory);
+  put_unknowns(begin_with(joints_[misfit.joint].law, misfit.next, memory, misfit.response.jump),
+               misfit.component, unknown);
+}
+
+int ContactTerm::update_status(State& state, const model::StatusChange& change,
+                               std::span<double> unknown) const {
+  const std::vector<Misfit> list = misfits(state, change, unknown);
+  if (list.empty()) return 0;
+  if (change.one) {
+    change_status(state, *std::ranges::max_element(list, {}, &Misfit::size), unknown);
+    return 1;
   }
+  for (const Misfit& misfit : list) change_status(state, misfit, unknown);
+  return static_cast<int>(list.size());
 }
 
-void ContactTerm::add_local(const fields::State& state, std::span<const double> u,
-                            Eigen::Ref<Eigen::VectorXd> force, Eigen::Ref<Eigen::MatrixXd> tangent) const {
+bool ContactTerm::close_first(State& state, std::span<const double> motion, std::span<double> unknown) const {
+  Misfit first;
+  double least = INFINITY;
+  for_each([&](std::size_t j, std::size_t p, Index c) {
+    if (touching(trial(state, j, p).status) || motion[c] >= 0) return;
+    const PointResponse response = answer(state, j, p, unknown.subspan(c, 2));
+    const double share = std::max(0.0, response.jump[0]) / -motion[c];
+    if (share >= least) return;
+    least = share;
+    first = {j, p, c, touching_status(joints_[j].law), 0, response};
+  });
+  if (!std::isfinite(least)) return false;
+  change_status(state, first, unknown);
+  return true;
+}
+
+bool ContactTerm::augment(State& state, std::size_t joint, std::span<const double> unknown,
+                          Index first) const {
+  const JointContact& own = joints_[joint];
+  double penetration = 0;
+  for (std::size_t p = 0; p < own.points.size(); ++p) {
+    const Index c = first + 2 * static_cast<Index>(p);
+    const PointMemory now = trial(state, joint, p);
+    if (!touching(now.status)) continue;
+    const double gap = answer(state, joint, p, unknown.subspan(c, 2)).jump[0] - now.dilation;
+    penetration = std::max(penetration, std::abs(gap) / own.points[p].h);
+  }
+  const auto base = state.trial(base_[joint]);
+  double &growth = base[base.size() - 2], &before = base[base.size() - 1];
+  const double was = before > 0 ? before : INFINITY;
+  const Enforcement::Augment next = own.enforcement->augment(penetration, was, std::max(1.0, growth));
+  growth = next.growth;
+  before = next.again ? penetration : 0;
+  for (std::size_t p = 0; p < own.points.size(); ++p) {
+    const PointMemory now = trial(state, joint, p);
+    base[2 * p] = now.pressure, base[2 * p + 1] = now.shear;
+  }
+  return next.again;
+}
+
+bool ContactTerm::settle(State& state, std::span<const double> unknown) const {
+  for_each([&](std::size_t j, std::size_t p, Index c) {
+    put(state, j, p,
+        remember(joints_[j].law, hold(state, j, p), committed(state, j, p), trial(state, j, p).status,
+                 unknowns_at(unknown, c)));
+  });
+  bool again = false;
+  Index first = 0;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const auto open = state.trial(state.find(state_name(joints_[j])));
-    for (std::size_t p = 0; p < open.size(); ++p)
-      if (open[p] == 0) add_point(j, p, u, force, tangent);
+    again |= augment(state, j, unknown, first);
+    first += 2 * static_cast<Index>(joints_[j].points.size());
   }
+  return again;
 }
 
-int ContactTerm::update_status(fields::State& state, std::span<const double> u) const {
-  const double tolerance = gap_tolerance(u);
-  int changed = 0;
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const auto open = state.trial(state.find(state_name(joints_[j])));
-    for (std::size_t p = 0; p < open.size(); ++p) {
-      const double now = joints_[j].law->closed(motion(j, p, u).gap, tolerance) ? 0 : 1;
-      changed += now != open[p];
-      open[p] = now;
-    }
-  }
-  return changed;
+void ContactTerm::tractions(const State& state, std::span<double> traction) const {
+  for_each([&](std::size_t j, std::size_t p, Index c) {
+    const PointMemory memory = trial(state, j, p);
+    traction[c] = -memory.pressure;
+    traction[c + 1] = memory.shear;
+  });
 }
 
-std::vector<std::int8_t> ContactTerm::status(const fields::State& state) const {
-  std::vector<std::int8_t> closed;
-  for (const JointContact& joint : joints_)
-    for (const double open : state.trial(state.find(state_name(joint)))) closed.push_back(open == 0);
-  return closed;
+std::vector<std::int8_t> ContactTerm::status(const State& state) const {
+  std::vector<std::int8_t> all;
+  for_each([&](std::size_t j, std::size_t p, Index) {
+    all.push_back(static_cast<std::int8_t>(trial(state, j, p).status));
+  });
+  return all;
+}
+
+void ContactTerm::restore(State& state, std::span<const std::int8_t> status) const {
+  std::size_t i = 0;
+  for_each([&](std::size_t j, std::size_t p, Index) {
+    PointMemory memory = trial(state, j, p);
+    memory.status = static_cast<Status>(status[i++]);
+    put(state, j, p, memory);
+  });
 }
 
 std::string ContactTerm::point_name(std::size_t point) const {
@@ -132,21 +285,25 @@ std::string ContactTerm::point_name(std::size_t point) const {
   return {};
 }
 
-std::vector<std::pair<std::string, double>> ContactTerm::facts(const fields::State& state,
-                                                               std::span<const double> u) const {
-  double closed = 0, open = 0, penetration = 0, pressure = 0;
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const auto is_open = state.trial(state.find(state_name(joints_[j])));
-    for (std::size_t p = 0; p < is_open.size(); ++p) {
-      ++(is_open[p] == 0 ? closed : open);
-      if (is_open[p] != 0) continue;
-      const ContactPoint& point = joints_[j].points[p];
-      const double gap = motion(j, p, u).gap;
-      penetration = std::max(penetration, -gap / point.h);
-      pressure = std::max(pressure, joints_[j].enforcement->pressure(gap, point).value);
-    }
-  }
-  return {{"closed", closed}, {"open", open}, {"penetration/h", penetration}, {"pressure", pressure}};
+std::vector<std::pair<std::string, double>> ContactTerm::facts(const State& state,
+                                                               std::span<const double> unknown) const {
+  std::array<double, 4> count{};
+  double penetration = 0, pressure = 0;
+  for_each([&](std::size_t j, std::size_t p, Index c) {
+    const Status now = trial(state, j, p).status;
+    ++count[static_cast<std::size_t>(now)];
+    if (!touching(now)) return;
+    const PointResponse response = answer(state, j, p, unknown.subspan(c, 2));
+    penetration = std::max(penetration, -response.jump[0] / joints_[j].points[p].h);
+    pressure = std::max(pressure, -response.traction[0]);
+  });
+  std::vector<std::pair<std::string, double>> facts = {{"open", count[0]}};
+  const bool rough = std::ranges::any_of(
+      joints_, [](const JointContact& joint) { return !joint.law.friction->frictionless(); });
+  if (rough) facts.insert(facts.end(), {{"stick", count[1]}, {"slip", count[2] + count[3]}});
+  if (!rough) facts.emplace_back("closed", count[1] + count[2] + count[3]);
+  facts.insert(facts.end(), {{"penetration/h", penetration}, {"pressure", pressure}});
+  return facts;
 }
 
 }  // namespace ashlar::contact

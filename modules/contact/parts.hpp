@@ -1,13 +1,10 @@
 #pragma once
-// The four parts of contact, each replaced by one word in a script: pairing, normal law, friction,
-// enforcement. The parts are pure: they hold their parameters and nothing that changes.
+// Two of the four parts of contact: pairing and enforcement (joint_law.hpp has normal laws and friction). The
+// parts are pure: they hold their parameters and nothing that changes.
 //
 // Signs: gap ≤ 0 is contact; pressure positive in compression; slip and shear along ContactPoint::tangent.
 
-#include <memory>
-#include <vector>
-
-#include "core/schema.hpp"
+#include "contact/joint_law.hpp"
 #include "model/model.hpp"
 
 namespace ashlar::contact {
@@ -15,21 +12,24 @@ namespace ashlar::contact {
 using geometry::Index;
 using geometry::Point;
 
-/// One point of the slave lip against its place on the master lip, both undeformed. The jump
-/// J(u) = Σ factor u(point) is the displacement of the slave against the master; the gap is
-/// gap + normal · J and the slip tangent · J.
+/// A point of the slave lip against its place on the master lip, both undeformed. The jump
+/// J(u) = Σ factor u(dof) is the displacement of the slave against the master (a mean, for segments); the gap
+/// is gap + normal · J and the slip tangent · J.
 struct ContactPoint {
   struct Share {
-    Index point = -1;   ///< of the mesh
+    Index dof = -1;     ///< the first of a node's two
     double factor = 0;  ///< positive on the slave lip, negative on the master
+    Point at;           ///< the node's place
   };
   std::vector<Share> shares;
-  Point normal;  ///< outward unit normal of the master's body
+  int slave = 0;  ///< the lip that it stands on
+  Point normal;   ///< outward unit normal of the master's body
   Point
       tangent;  ///< unit vector along which slip is that of the first lip against the second, along the path
   double gap = 0;      ///< before loading [m]
   double length = 0;   ///< of the slave lip that it stands for [m]
-  double weight = 0;   ///< length by which its pressure becomes a force [m]
+  double area = 0;     ///< by which its tractions become forces [m²]
+  double weight = 1;   ///< area over what the point truly stands for: 1, but for the paper's equal weights
   double h = 0;        ///< mesh size: mean of the slave lip's edges at the point [m]
   double modulus = 0;  ///< E' of the softer side [Pa]
   double s = 0;        ///< arc length along the joint [m]
@@ -46,42 +46,25 @@ class Pairing {
                                          int slave) const = 0;
 };
 
-class NormalLaw {
- public:
-  virtual ~NormalLaw() = default;
-  /// Whether lips at this gap touch. Gaps within ±tolerance are 0 up to round-off.
-  virtual bool closed(double gap, double tolerance) const = 0;
-};
-
-/// The pressure of a closed point and its derivative.
-struct Pressure {
-  double value = 0;   ///< [Pa]
-  double by_gap = 0;  ///< [Pa/m]
-};
-
+/// How lips that a law keeps rigid are held.
 class Enforcement {
  public:
   virtual ~Enforcement() = default;
-  virtual Pressure pressure(double gap, const ContactPoint& point) const = 0;
+  /// `base`: the tractions that were held last (pressure, shear); `growth` ≥ 1 stiffens augmented ones.
+  virtual Hold hold(const ContactPoint& point, const Eigen::Vector2d& base, double growth) const = 0;
+  /// What an augmented method does once the status is settled: nothing more if the penetration over h is
+  /// small enough, else the base takes over the tractions and the iteration goes on.
+  struct Augment {
+    bool again = false;
+    double growth = 1;
+  };
+  virtual Augment augment(double /*penetration*/, double /*before*/, double growth) const {
+    return {false, growth};
+  }
 };
 
-/// The shear traction of a closed point, which resists slip, and its derivatives.
-struct Shear {
-  double value = 0;        ///< [Pa]
-  double by_slip = 0;      ///< [Pa/m]
-  double by_pressure = 0;  ///< makes the tangent unsymmetric
-};
-
-class Friction {
- public:
-  virtual ~Friction() = default;
-  virtual Shear shear(double slip, double pressure) const = 0;
-};
-
-/// Modules register parts as kinds "pairing", "normal_law", "enforcement" and "friction".
+/// Modules register parts as kinds "pairing" and "enforcement".
 using MakePairing = std::shared_ptr<const Pairing>(const core::Settings& settings);
-using MakeNormalLaw = std::shared_ptr<const NormalLaw>(const core::Settings& settings);
 using MakeEnforcement = std::shared_ptr<const Enforcement>(const core::Settings& settings);
-using MakeFriction = std::shared_ptr<const Friction>(const core::Settings& settings);
 
 }  // namespace ashlar::contact

@@ -7,8 +7,10 @@ return {
       parameters = {
         { key = "level", forms = { "number" }, dimension = "m", required = true,
           doc = "height y of the free surface" },
-        { key = "on", forms = { "list" }, required = true, each = { forms = { "text" }, refers = "edge" },
+        { key = "on", forms = { "list" }, each = { forms = { "text" }, refers = "edge" },
           doc = "names of the wet edges, borders or lips: { \"dam.upstream\", \"rock.bed\" }" },
+        { key = "joints", forms = { "list" }, each = { forms = { "text" }, refers = "joint" },
+          doc = "joints that the water fills: it presses on both lips, and contact carries the rest" },
         { key = "unit_weight", forms = { "number" }, dimension = "N/m^3",
           range = { above = 0 }, usual = { from = 9.5e3, to = 1.1e4 },
           doc = "weight of the water by volume; 9.81 kN/m^3 if neither this nor the density is said" },
@@ -16,7 +18,7 @@ return {
           range = { above = 0 }, usual = { from = 950, to = 1100 },
           doc = "instead of unit_weight; times 9.80665 m/s^2, whatever gravity the stage says" },
       },
-      alternatives = { { "unit_weight", "density", least = 0 } } },
+      alternatives = { { "unit_weight", "density", least = 0 }, { "on", "joints", least = 1, most = 2 } } },
   },
   extends = {
     stage = {
@@ -28,7 +30,7 @@ return {
   effects = {
     { name = "water", called_by = { "stage.water" }, nonlinear = false,
       doc = "Hydrostatic pressure on the faces named, integrated exactly over their wet part. "
-         .. "Water acts on faces only: no seepage, no uplift unless a lip or base is named.",
+         .. "Water acts on faces only: no seepage, no uplift unless a joint, lip or base is named.",
       left_out = "Water on faces: it matters when a reservoir, tailwater or water in a joint stands against "
               .. "the body; its thrust grows with the square of the depth." },
   },

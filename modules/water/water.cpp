@@ -21,6 +21,22 @@ std::vector<const core::Settings*> waters(const model::StageData& stage) {
   return list;
 }
 
+/// Names of the wet edges with the places that say so: both lips of a joint.
+std::vector<std::pair<std::string, core::Place>> wet_names(const core::Settings& water,
+                                                           const model::Scene& scene) {
+  std::vector<std::pair<std::string, core::Place>> names;
+  if (water.has("on"))
+    for (const core::Value& name : water.value("on").table()->items)
+      names.emplace_back(*name.text(), name.place);
+  if (!water.has("joints")) return names;
+  for (const core::Value& name : water.value("joints").table()->items)
+    for (const model::JointData& joint : scene.joints)
+      if (joint.line.name == *name.text())
+        for (const std::string& side : joint.line.sides)
+          names.emplace_back(joint.line.name + "." + side, name.place);
+  return names;
+}
+
 double lowest(const mesh::Mesh& mesh, const std::vector<mesh::Index>& edges) {
   double y = std::numeric_limits<double>::infinity();
   for (const mesh::Index edge : edges)
@@ -59,14 +75,13 @@ std::vector<mesh::Index> Water::wet_edges(const core::Settings& water, const mod
   const mesh::Mesh& mesh = context.model.mesh;
   const double level = water.number("level");
   std::vector<mesh::Index> edges;
-  for (const core::Value& name : water.value("on").table()->items) {
-    const std::vector<mesh::Index> face =
-        model::border_edges(mesh, *name.text(), name.place, context.mistakes);
+  for (const auto& [name, place] : wet_names(water, context.scene)) {
+    const std::vector<mesh::Index> face = model::border_edges(mesh, name, place, context.mistakes);
     const double bottom = lowest(mesh, face);
-    if (!face.empty() && level <= bottom && warned_.insert({context.stage.name, *name.text()}).second)
+    if (!face.empty() && level <= bottom && warned_.insert({context.stage.name, name}).second)
       core::log().warning(core::to_string(water.place_of("level")) + ": stage '" + context.stage.name +
                           "': the water level " + core::format_quantity(level, metre) +
-                          " is below the whole of edge '" + *name.text() + "', whose lowest point is at " +
+                          " is below the whole of edge '" + name + "', whose lowest point is at " +
                           core::format_quantity(bottom, metre));
     edges.insert(edges.end(), face.begin(), face.end());
   }

@@ -113,7 +113,8 @@ class Solid {
     solve::Bulk factored(model, {{bulk}, {}}, constraints, {}, std::move(solver));
     failure = factored.report().reason;
     if (!factored.report().done) return {};
-    report = solve::advance(factored, {}, constraints, {load, constraints.value}, state);
+    solve::LocalTerms no_joints;
+    report = solve::advance(factored, no_joints, constraints, {load, constraints.value}, state);
     state.commit();
     return state.committed(0);
   }

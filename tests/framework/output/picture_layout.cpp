@@ -190,7 +190,8 @@ TEST(choice, stages_other_than_the_last_have_a_folder) {
 
 TEST(profile, welded_tips_close_it_without_a_pressure) {
   model::JointResult joint;
-  joint.rows = {{1, {}, -1e-9, 2e-5, 1e5, true, 0}, {2, {}, 1e-9, 1e-5, 0, false, 1}};
+  joint.rows = {{.s = 1, .at = {}, .opening = -1e-9, .slip = 2e-5, .pressure = 1e5, .closed = true},
+                {.s = 2, .at = {}, .opening = 1e-9, .slip = 1e-5, .piece = 1}};
   joint.tips = {{0, {7, 7}}, {3, {9, 9}}};
   const auto rows = rows_and_tips(joint);
   ASSERT_EQ(rows.size(), 4u);
@@ -202,7 +203,7 @@ TEST(profile, welded_tips_close_it_without_a_pressure) {
   result.stages.resize(1);
   joint.name = "fault";
   result.stages[0].joints = {joint};
-  EXPECT_NE(joint_csv(result, "fault").find(",3,9,9,0,0,,1,1,1\n"), std::string::npos);
+  EXPECT_NE(joint_csv(result, "fault").find(",3,9,9,0,0,,,,,,1,1\n"), std::string::npos);
 }
 
 TEST(profile, a_peak_does_not_take_the_axis_and_is_told) {

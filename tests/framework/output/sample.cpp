@@ -167,10 +167,12 @@ model::JointResult joint_result(const Mesh& mesh, double load) {
   joint.name = "fault";
   auto add = [&](double s, Point at) {
     const double t = s / 8.4853;
-    model::JointResult::Row row{
-        s, at, 0, 4e-5 * (0.4 + load) * std::sqrt(std::max(0.0, 1 - t)), 0, false, t > 0.55 ? 1 : 0};
+    model::JointResult::Row row{.s = s, .at = at};
+    row.slip = 4e-5 * (0.4 + load) * std::sqrt(std::max(0.0, 1 - t));
+    row.piece = t > 0.55 ? 1 : 0;
     row.pressure = std::max(0.0, 1.8e5 * t * (1.1 - t) - 2e4 * load);
     row.closed = row.pressure > 0;
+    row.state = row.closed ? model::JointResult::Row::State::slip : model::JointResult::Row::State::open;
     row.opening = row.closed ? -1e-9 * row.pressure / 1e5 : 6e-6 * load * (1 - t);
     joint.rows.push_back(row);
     joint.max_pressure = std::max(joint.max_pressure, row.pressure);

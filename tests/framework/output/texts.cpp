@@ -33,7 +33,9 @@ TEST(tables, joints_list_every_stage_and_point) {
   const Sample sample = make_sample(1);
   const auto rows = lines(joint_csv(sample.result, "fault"));
   EXPECT_EQ(rows.size(), 1 + 2 * sample.result.stages[0].joints[0].rows.size());
-  EXPECT_EQ(rows[0], "stage,s [m],x [m],y [m],opening [m],slip [m],pressure [Pa],closed,piece,welded");
+  EXPECT_EQ(rows[0],
+            "stage,s [m],x [m],y [m],opening [m],slip [m],pressure [Pa],shear_stress [Pa],"
+            "water_pressure [Pa],utilisation,state,piece,welded");
   EXPECT_EQ(joint_csv(sample.result, "unknown"), "");
 }
 

@@ -118,22 +118,50 @@ class Stop : public model::LocalTerm {
   Stop(fields::State& state, Index dof, double stiffness, Choose choose)
       : LocalTerm("stop"), dofs_{dof}, stiffness_(stiffness), choose_(std::move(choose)) {
     status_ = state.add("stop.status." + std::to_string(dof), 1);
+    traction_ = state.add("stop.traction." + std::to_string(dof), 1);
+    jumps_.width = 1;
+    jumps_.parts = {{{0, 1.0}}};
+    jumps_.initial = {0};
+    jumps_.area = {1};
+    jumps_.ground = {stiffness};
   }
   std::span<const Index> touched() const override { return dofs_; }
-  void add_local(const fields::State& state, std::span<const double> u, Eigen::Ref<Eigen::VectorXd> force,
-                 Eigen::Ref<Eigen::MatrixXd> tangent) const override {
-    if (state.trial(status_)[0] == 0) return;
-    force[0] += stiffness_ * u[0];
-    tangent(0, 0) += stiffness_;
+  const model::Jumps& jumps() const override { return jumps_; }
+  void respond(const fields::State& state, std::span<const double> unknown,
+               model::JumpResponse& response) const override {
+    const double k = closed(state) ? stiffness_ : 0;
+    response.resize(1, 1);
+    response.jump[0] = unknown[0];
+    response.jump_by(0, 0) = 1;
+    response.traction[0] = k * unknown[0];
+    response.traction_by(0, 0) = k;
   }
-  int update_status(fields::State& state, std::span<const double> u) const override {
-    const bool was = state.trial(status_)[0] != 0;
-    const bool now = choose_(u[0], was);
+  void begin(const fields::State&, std::span<const double> jump, std::span<double> unknown) const override {
+    unknown[0] = jump[0];
+  }
+  int update_status(fields::State& state, const model::StatusChange&,
+                    std::span<double> unknown) const override {
+    const bool was = closed(state), now = choose_(unknown[0], was);
     state.trial(status_)[0] = now;
     return was != now;
   }
+  bool close_first(fields::State& state, std::span<const double> motion, std::span<double>) const override {
+    if (closed(state) || motion[0] >= 0) return false;
+    state.trial(status_)[0] = 1;
+    return true;
+  }
+  bool settle(fields::State& state, std::span<const double> unknown) const override {
+    state.trial(traction_)[0] = closed(state) ? stiffness_ * unknown[0] : 0;
+    return false;
+  }
+  void tractions(const fields::State& state, std::span<double> traction) const override {
+    traction[0] = state.trial(traction_)[0];
+  }
   std::vector<std::int8_t> status(const fields::State& state) const override {
     return {static_cast<std::int8_t>(state.trial(status_)[0])};
+  }
+  void restore(fields::State& state, std::span<const std::int8_t> status) const override {
+    state.trial(status_)[0] = status[0];
   }
   std::string point_name(std::size_t) const override { return "stop at dof " + std::to_string(dofs_[0]); }
   std::vector<std::pair<std::string, double>> facts(const fields::State&,
@@ -141,27 +169,27 @@ class Stop : public model::LocalTerm {
     return {};
   }
 
+ protected:
+  virtual bool closed(const fields::State& state) const { return state.trial(status_)[0] != 0; }
+
  private:
   std::array<Index, 1> dofs_;
   double stiffness_;
   Choose choose_;
-  fields::State::Id status_;
+  fields::State::Id status_, traction_;
+  model::Jumps jumps_;
 };
 
 /// A stop that is always closed, but whose status settles only where a step moves its dof less than `reach`.
 class ShyStop : public Stop {
  public:
   ShyStop(fields::State& state, Index dof, double stiffness, double reach)
-      : Stop(state, dof, stiffness, {}), stiffness_(stiffness), reach_(reach) {
+      : Stop(state, dof, stiffness, {}), reach_(reach) {
     flips_ = state.add("shy.flips." + std::to_string(dof), 1);
   }
-  void add_local(const fields::State&, std::span<const double> u, Eigen::Ref<Eigen::VectorXd> force,
-                 Eigen::Ref<Eigen::MatrixXd> tangent) const override {
-    force[0] += stiffness_ * u[0];
-    tangent(0, 0) += stiffness_;
-  }
-  int update_status(fields::State& state, std::span<const double> u) const override {
-    if (std::abs(u[0] - state.committed(0)[touched()[0]]) <= reach_) return 0;
+  int update_status(fields::State& state, const model::StatusChange&,
+                    std::span<double> unknown) const override {
+    if (std::abs(unknown[0] - state.committed(0)[touched()[0]]) <= reach_) return 0;
     state.trial(flips_)[0] = 1 - state.trial(flips_)[0];
     return 1;
   }
@@ -169,8 +197,11 @@ class ShyStop : public Stop {
     return {static_cast<std::int8_t>(state.trial(flips_)[0])};
   }
 
+ protected:
+  bool closed(const fields::State&) const override { return true; }
+
  private:
-  double stiffness_, reach_;
+  double reach_;
   fields::State::Id flips_;
 };
 

@@ -10,6 +10,7 @@
 #include "contact/normal_laws/unilateral/unilateral.hpp"
 #include "contact/pairing/node_to_segment/node_to_segment.hpp"
 #include "modules/support/hand_mesh.hpp"
+#include "solve/local.hpp"
 
 namespace ashlar::test {
 
@@ -125,73 +126,87 @@ inline Blocks two_blocks(int lower, int upper, double thickness = 1, double angl
   return blocks;
 }
 
-/// The paper's contact on every joint of a model.
-inline ContactTerm paper_contact(const model::Model& model, double factor, int slave = 0,
-                                 Weight weight = Weight::tributary) {
+/// The paper's contact on every joint of a model; other parts where said.
+struct Parts {
+  std::shared_ptr<const contact::Pairing> pairing = std::make_shared<NodeToSegment>(Weight::tributary);
+  std::shared_ptr<const contact::Enforcement> enforcement = std::make_shared<contact::Penalty>(100, 0);
+  contact::JointLaw law = {std::make_shared<contact::Unilateral>(),
+                           std::make_shared<contact::Frictionless>()};
+  int slave = 0;
+};
+
+inline ContactTerm contact_with(const model::Model& model, const Parts& parts) {
   std::vector<JointContact> joints;
   for (const mesh::JointLips& lips : model.mesh.joints)
-    joints.push_back({lips.name, slave, std::make_shared<contact::Unilateral>(),
-                      std::make_shared<contact::Penalty>(factor, 0),
-                      std::make_shared<contact::Frictionless>(),
-                      NodeToSegment(weight).pair(model, lips, slave)});
+    joints.push_back(
+        {lips.name, parts.law, parts.enforcement, parts.pairing->pair(model, lips, parts.slave)});
   return ContactTerm(model, std::move(joints));
 }
 
+inline ContactTerm paper_contact(const model::Model& model, double factor, int slave = 0,
+                                 Weight weight = Weight::tributary) {
+  return contact_with(model, {.pairing = std::make_shared<NodeToSegment>(weight),
+                              .enforcement = std::make_shared<contact::Penalty>(factor, 0),
+                              .slave = slave});
+}
+
 /// A state with the displacement and the term's own arrays.
-inline fields::State state_for(const model::Model& model, const ContactTerm& term) {
+inline fields::State state_for(const model::Model& model, ContactTerm& term) {
   fields::State state;
   state.add("displacement", model.dofs.size());
   term.add_state(state);
   return state;
 }
 
-inline std::vector<double> touched(const ContactTerm& term, std::span<const double> u) {
-  std::vector<double> values;
-  for (const Index dof : term.touched()) values.push_back(u[dof]);
-  return values;
+/// The jumps of the term's points at u.
+inline std::vector<double> jumps_at(const ContactTerm& term, std::span<const double> u) {
+  std::vector<double> jump = term.jumps().initial;
+  for (Index i = 0; i < term.jumps().size(); ++i)
+    for (const auto& part : term.jumps().parts[i]) jump[i] += part.factor * u[term.touched()[part.place]];
+  return jump;
 }
 
-/// c and K_c over all dofs at u.
-struct Local {
-  Eigen::VectorXd force;
-  Eigen::MatrixXd tangent;
-};
-inline Local local_at(const model::Model& model, const ContactTerm& term, const fields::State& state,
-                      std::span<const double> u) {
-  const auto size = static_cast<Index>(term.touched().size());
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(size);
-  Eigen::MatrixXd tangent = Eigen::MatrixXd::Zero(size, size);
-  term.add_local(state, touched(term, u), force, tangent);
-  Local all{Eigen::VectorXd::Zero(model.dofs.size()),
-            Eigen::MatrixXd::Zero(model.dofs.size(), model.dofs.size())};
-  for (Index i = 0; i < size; ++i) {
-    all.force[term.touched()[i]] = force[i];
-    for (Index j = 0; j < size; ++j) all.tangent(term.touched()[i], term.touched()[j]) = tangent(i, j);
-  }
-  return all;
+/// Bᵀ A q over all dofs for the trial state's tractions.
+inline Eigen::VectorXd force_of(const model::Model& model, const ContactTerm& term,
+                                const fields::State& state) {
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(model.dofs.size());
+  std::vector<double> traction(term.jumps().size());
+  term.tractions(state, traction);
+  for (Index i = 0; i < term.jumps().size(); ++i)
+    for (const auto& part : term.jumps().parts[i])
+      force[term.touched()[part.place]] += part.factor * term.jumps().area[i] * traction[i];
+  return force;
 }
 
-/// Iterates on the status with linear solves; the bottom is held in y, its first point in x, and the dof
-/// `hold`. Leaves the result committed; returns the number of statuses, or -1 if it does not settle in 20.
-inline int solve(const Blocks& blocks, const ContactTerm& term, const Eigen::VectorXd& load, Index hold,
-                 fields::State& state) {
-  Eigen::VectorXd free = Eigen::VectorXd::Ones(load.size());
-  for (const Index point : blocks.bottom) free[2 * point + 1] = 0;
-  free[2 * blocks.bottom[0]] = free[hold] = 0;
-  const std::span<double> u = state.trial(0);
-  const std::vector<double> zero(u.size());
-  term.update_status(state, touched(term, u));
-  for (int number = 1; number <= 20; ++number) {
-    Eigen::MatrixXd k = blocks.stiffness + local_at(blocks.model, term, state, zero).tangent;
-    k = free.asDiagonal() * k * free.asDiagonal();
-    k.diagonal() += Eigen::VectorXd::Ones(free.size()) - free;
-    const Eigen::VectorXd solution = k.llt().solve(free.cwiseProduct(load));
-    std::copy(solution.begin(), solution.end(), u.begin());
-    if (term.update_status(state, touched(term, u)) > 0) continue;
-    state.commit();
-    return number;
-  }
-  return -1;
+/// Eliminates all free dofs that the term does not touch and iterates on its jumps; the bottom is held in y,
+/// its first point in x, and the dof `hold`. Leaves the result committed; returns the number of statuses, or
+/// -1 if it does not settle.
+inline int settle(const Blocks& blocks, const std::shared_ptr<const ContactTerm>& term,
+                  const Eigen::VectorXd& load, Index hold, fields::State& state) {
+  model::Constraints constraints;
+  constraints.held.assign(load.size(), 0);
+  for (const Index point : blocks.bottom) constraints.held[2 * point + 1] = 1;
+  constraints.held[2 * blocks.bottom[0]] = constraints.held[hold] = 1;
+  const ashlar::solve::LocalTerms terms({term}, constraints);
+  std::vector<Index> inner, kept;
+  for (Index dof = 0; dof < load.size(); ++dof)
+    if (!constraints.held[dof])
+      (std::ranges::binary_search(terms.touched(), dof) ? kept : inner).push_back(dof);
+  const Eigen::LLT<Eigen::MatrixXd> inside(blocks.stiffness(inner, inner));
+  const Eigen::MatrixXd across = blocks.stiffness(kept, inner);
+  const Eigen::MatrixXd schur = blocks.stiffness(kept, kept) - across * inside.solve(across.transpose());
+  const Eigen::VectorXd right = load(kept) - across * inside.solve(load(inner));
+  const ashlar::solve::Condensed bulk({terms.free_jumps(), terms.area(), terms.ground()}, schur, true);
+  Eigen::VectorXd u(static_cast<Index>(terms.touched().size()));
+  const std::span<double> all = state.trial(0);
+  for (Index i = 0; i < u.size(); ++i) u[i] = all[terms.touched()[i]];
+  std::vector<model::Iteration> rows;
+  if (!ashlar::solve::iterate(terms, bulk, right, state, u, rows).converged) return -1;
+  const Eigen::VectorXd rest = inside.solve(load(inner) - across.transpose() * u(terms.free()));
+  for (std::size_t i = 0; i < inner.size(); ++i) all[inner[i]] = rest[static_cast<Index>(i)];
+  for (const Index i : terms.free()) all[terms.touched()[i]] = u[i];
+  state.commit();
+  return static_cast<int>(rows.size());
 }
 
 /// Nodal forces of a uniform pressure on the top of level blocks.

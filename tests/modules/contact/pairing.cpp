@@ -29,8 +29,7 @@ TEST(node_to_segment, matching_lips_pair_point_to_point) {
   ASSERT_EQ(points.size(), 5u);
   for (std::size_t i = 0; i < 5; ++i) {
     ASSERT_EQ(points[i].shares.size(), 2u);
-    EXPECT_EQ(blocks.model.mesh.points[points[i].shares[0].point],
-              blocks.model.mesh.points[points[i].shares[1].point]);
+    EXPECT_EQ(points[i].shares[0].at, points[i].shares[1].at);
     EXPECT_EQ(points[i].shares[1].factor, -1);
     EXPECT_EQ(points[i].gap, 0);
     EXPECT_EQ(points[i].normal, (Point{0, 1}));
@@ -39,12 +38,12 @@ TEST(node_to_segment, matching_lips_pair_point_to_point) {
     EXPECT_DOUBLE_EQ(points[i].h, 0.5);
     EXPECT_DOUBLE_EQ(points[i].modulus, plane_modulus);
   }
-  EXPECT_DOUBLE_EQ(total(pairs(blocks.model, 1), &ContactPoint::weight), 2);
+  EXPECT_DOUBLE_EQ(total(pairs(blocks.model, 1), &ContactPoint::area), 2);
 }
 
 TEST(node_to_segment, equal_weights_are_the_papers) {
   const Blocks blocks = two_blocks(3, 4);
-  for (const ContactPoint& point : pairs(blocks.model, 0, Weight::equal)) EXPECT_DOUBLE_EQ(point.weight, 0.5);
+  for (const ContactPoint& point : pairs(blocks.model, 0, Weight::equal)) EXPECT_DOUBLE_EQ(point.area, 0.5);
 }
 
 TEST(node_to_segment, points_between_master_points_share_by_xi_and_are_warned_of) {
@@ -74,7 +73,7 @@ TEST(node_to_segment, a_lip_beyond_the_other_carries_nothing_there_and_is_warned
   blocks.model.mesh.joints[0].lips[1].pop_back();
   core::log().clear();
   EXPECT_EQ(pairs(blocks.model).size(), 4u);
-  EXPECT_TRUE(logged("1 half edges of the slave lip face no edge", core::Level::warning));
+  EXPECT_TRUE(logged("1 parts of the slave lip's edges face no edge", core::Level::warning));
 }
 
 /// An inner square of unit side in the lower left corner of an L: the joint goes (0, 1) → (1, 1) → (1, 0).
@@ -99,7 +98,7 @@ TEST(node_to_segment, corners_keep_the_normal_of_each_leg) {
     EXPECT_EQ(points[3].normal, (Point{out, 0}));
     EXPECT_EQ(points[1].s, points[2].s);
     for (const ContactPoint& point : points) {
-      EXPECT_DOUBLE_EQ(point.weight, 0.5);
+      EXPECT_DOUBLE_EQ(point.area, 0.5);
       EXPECT_EQ(point.shares.size(), 2u);
       EXPECT_EQ(point.piece, 0);
     }
@@ -127,9 +126,9 @@ TEST(node_to_segment, gentle_kinks_are_one_point_with_the_normal_between_and_sha
   EXPECT_NEAR(points[1].normal.x, -std::sin(gentle / 2), 1e-12);
   EXPECT_NEAR(points[1].normal.y, std::cos(gentle / 2), 1e-12);
   // A uniform pressure on both halves pushes along that normal with this length.
-  EXPECT_NEAR(points[1].weight, std::cos(gentle / 2), 1e-12);
+  EXPECT_NEAR(points[1].area, std::cos(gentle / 2), 1e-12);
   EXPECT_EQ(pairs(corner).size(), 4u);
-  EXPECT_NEAR(total(pairs(corner), &ContactPoint::weight), 2, 1e-12);
+  EXPECT_NEAR(total(pairs(corner), &ContactPoint::area), 2, 1e-12);
 }
 
 // Four unit squares around the origin, all apart: joint "level" along x, "upright" along y.
@@ -160,10 +159,10 @@ TEST(node_to_segment, crossings_pair_on_their_own_side) {
   const Index expected[][2] = {{8, 3}, {9, 2}, {12, 7}, {13, 6}};
   for (int i = 0; i < 4; ++i) {
     ASSERT_EQ(found[i].shares.size(), 2u);
-    EXPECT_EQ(found[i].shares[0].point, expected[i][0]);
-    EXPECT_EQ(found[i].shares[1].point, expected[i][1]);
+    EXPECT_EQ(found[i].shares[0].dof, 2 * expected[i][0]);
+    EXPECT_EQ(found[i].shares[1].dof, 2 * expected[i][1]);
     EXPECT_EQ(found[i].piece, i / 2);
-    EXPECT_DOUBLE_EQ(found[i].weight, 0.5);
+    EXPECT_DOUBLE_EQ(found[i].area, 0.5);
   }
 }
 
@@ -176,9 +175,9 @@ TEST(node_to_segment, welded_tips_carry_no_contact) {
   const model::Model model = plain_model(std::move(mesh));
   const auto found = pairs(model);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].shares[0].point, 6);
-  EXPECT_EQ(found[0].shares[1].point, 3);
-  EXPECT_DOUBLE_EQ(found[0].weight, 0.5);
+  EXPECT_EQ(found[0].shares[0].dof, 12);
+  EXPECT_EQ(found[0].shares[1].dof, 6);
+  EXPECT_DOUBLE_EQ(found[0].area, 0.5);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ using test::slab_script;
 /// Reads the joint, lets contact check it, and returns all mistakes.
 std::string mistakes_with(const std::string& joint, model::Scene* scene = nullptr) {
   const auto scenario = read_scenario(slab_script(joint, "gravity = true"));
+  if (scenario->mistakes.empty()) register_module(scenario->registry);
   if (scenario->mistakes.empty()) Contact(scenario->registry).check(scenario->scene, scenario->mistakes);
   const std::string text = scenario->text();
   if (scene) *scene = std::move(scenario->scene);
@@ -48,7 +49,7 @@ TEST(contact_scene, friction_must_be_said) {
   EXPECT_TRUE(holds(text, "joints.fault.friction: joint 'fault' does not say its friction")) << text;
   EXPECT_TRUE(holds(text, "none")) << text;
   EXPECT_TRUE(holds(mistakes_with("contact = false"), "unknown key 'contact'"));
-  EXPECT_TRUE(holds(mistakes_with("friction = \"coulomb\""), "there is no friction 'coulomb'"));
+  EXPECT_TRUE(holds(mistakes_with("friction = \"viscous\""), "there is no friction 'viscous'"));
 }
 
 TEST(contact_scene, penalties_are_positive_and_said_once) {
@@ -88,15 +89,18 @@ TEST(contact_scene, every_part_that_the_manifest_names_has_a_maker) {
   const core::Settings& joint = scenario->scene.joints.at(0).settings;
   EXPECT_NE(scenario->registry.make<MakePairing>("pairing", "node_to_segment")(joint.object("pairing")),
             nullptr);
-  EXPECT_NE(scenario->registry.make<MakeNormalLaw>("normal_law", "unilateral")(joint.object("normal_law")),
+  EXPECT_NE(scenario->registry.make<MakeNormalLaw>("normal_law", "unilateral")(joint.object("normal_law"),
+                                                                               scenario->mistakes),
             nullptr);
-  EXPECT_NE(scenario->registry.make<MakeFriction>("friction", "none")(joint.object("friction")), nullptr);
+  EXPECT_NE(
+      scenario->registry.make<MakeFriction>("friction", "none")(joint.object("friction"), scenario->mistakes),
+      nullptr);
   const auto penalty =
       scenario->registry.make<MakeEnforcement>("enforcement", "penalty")(joint.object("enforce"));
   ContactPoint point;
   point.modulus = 2e9;
   point.h = 0.5;
-  EXPECT_DOUBLE_EQ(penalty->pressure(-1e-3, point).value, 100 * 2e9 / 0.5 * 1e-3);
+  EXPECT_DOUBLE_EQ(1 / penalty->hold(point, {0, 0}, 1).normal, 100 * 2e9 / 0.5);
   EXPECT_NE(scenario->registry.make<model::MakeEffect>("effect", "contact")(scenario->registry), nullptr);
 }
 

@@ -6,9 +6,9 @@ double Penalty::stiffness(const ContactPoint& point) const {
   return stiffness_ > 0 ? stiffness_ : factor_ * point.modulus / point.h;
 }
 
-Pressure Penalty::pressure(double gap, const ContactPoint& point) const {
-  const double k = stiffness(point);
-  return {-k * gap, -k};
+Hold Penalty::hold(const ContactPoint& point, const Eigen::Vector2d& /*base*/, double /*growth*/) const {
+  const double compliance = 1 / stiffness(point);
+  return {compliance, compliance, 0, 0};
 }
 
 }  // namespace ashlar::contact

@@ -1,12 +1,14 @@
 #pragma once
 
-#include "contact/parts.hpp"
+#include "contact/joint_law.hpp"
 
 namespace ashlar::contact {
 
+/// Lips slide freely: no shear.
 class Frictionless final : public Friction {
  public:
-  Shear shear(double slip, double pressure) const override;
+  bool frictionless() const override { return true; }
+  Strength strength(double /*pressure*/, double /*path*/) const override { return {}; }
 };
 
 }  // namespace ashlar::contact

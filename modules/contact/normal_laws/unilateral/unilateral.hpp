@@ -1,13 +1,13 @@
 #pragma once
 
-#include "contact/parts.hpp"
+#include "contact/joint_law.hpp"
 
 namespace ashlar::contact {
 
-/// H(−g): closed for g ≤ 0.
+/// Lips press but do not pull: g ≥ 0, p ≥ 0, g p = 0.
 class Unilateral final : public NormalLaw {
  public:
-  bool closed(double gap, double tolerance) const override;
+  Form form() const override { return Form::rigid; }
 };
 
 }  // namespace ashlar::contact

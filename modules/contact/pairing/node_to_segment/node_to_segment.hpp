@@ -4,16 +4,19 @@
 
 namespace ashlar::contact {
 
-/// One-pass node-to-segment pairing on the undeformed lips: README.md has the equations.
+/// Node-to-segment pairing on the undeformed lips, in one pass or two: README.md has the equations.
 class NodeToSegment final : public Pairing {
  public:
   enum class Weight { tributary, equal };
-  explicit NodeToSegment(Weight weight) : weight_(weight) {}
+  explicit NodeToSegment(Weight weight, int passes = 1) : weight_(weight), passes_(passes) {}
   std::vector<ContactPoint> pair(const model::Model& model, const mesh::JointLips& joint,
                                  int slave) const override;
 
  private:
+  std::vector<ContactPoint> pass(const model::Model& model, const mesh::JointLips& joint, int slave) const;
+
   Weight weight_;
+  int passes_;
 };
 
 }  // namespace ashlar::contact

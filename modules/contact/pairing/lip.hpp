@@ -1,0 +1,60 @@
+#pragma once
+// The lips of a joint as pairings see them: edges with their normals and the nodes of their trace, for
+// elements of any order.
+
+#include <optional>
+
+#include "contact/parts.hpp"
+
+namespace ashlar::contact {
+
+/// Round-off of coordinates relative to an edge: positions nearer than this are the same.
+constexpr double same_place = 1e-9;
+
+/// A node of an edge's trace.
+struct TraceNode {
+  Index dof = -1;  ///< the first of its two
+  double t = 0;    ///< place on the edge, from 0 to 1 along the path
+  Point at;
+};
+
+class Lips {
+ public:
+  /// Keeps references to both.
+  Lips(const model::Model& model, const mesh::JointLips& joint, int slave);
+
+  const model::Model& model() const { return model_; }
+  const std::vector<mesh::LipEdge>& slave() const { return slave_; }
+  const std::vector<mesh::LipEdge>& master() const { return master_; }
+  int slave_number() const { return slave_number_; }
+  Point at(Index point) const { return model_.mesh.points[point]; }
+  double length(const mesh::LipEdge& edge) const { return geometry::distance(at(edge.from), at(edge.to)); }
+  Point place(const mesh::LipEdge& edge, double t) const {
+    return at(edge.from) + t * (at(edge.to) - at(edge.from));
+  }
+  /// Outward unit normal: border edges have their body on the left.
+  Point normal(const mesh::LipEdge& edge) const;
+  /// Unit vector along which slip is that of the first lip against the second: along the path for a jump of
+  /// the first lip against the second, against it for one of the second.
+  Point slip_direction(const mesh::LipEdge& edge) const;
+  double modulus(const mesh::LipEdge& edge) const { return model_.material(edge.cell).plane_modulus(); }
+  /// Nodes along the path.
+  std::vector<TraceNode> nodes(const mesh::LipEdge& edge) const;
+  /// Their shape functions at t.
+  void shape(const mesh::LipEdge& edge, double t, std::vector<double>& values) const;
+  /// Lips face each other within 60°; others belong to another leg of the joint.
+  bool facing(const mesh::LipEdge& slave, const mesh::LipEdge& master) const;
+  /// The master edge nearest to a place on a slave edge; of equally near ones (corners, crossings) the one
+  /// nearest to `towards`.
+  const mesh::LipEdge* nearest_master(const mesh::LipEdge& slave, Point place, Point towards) const;
+
+ private:
+  const model::Model& model_;
+  const std::vector<mesh::LipEdge>&slave_, &master_;
+  int slave_number_;
+};
+
+/// Lengths of the slave's edges at its nodes: h is their mean.
+void set_sizes(const Lips& lips, std::vector<ContactPoint>& points);
+
+}  // namespace ashlar::contact
