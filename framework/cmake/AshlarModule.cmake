@@ -1,11 +1,12 @@
-# ashlar_module(NAME … SOURCES … [LIBRARIES …]) builds one module, in this tree or outside it:
+# ashlar_module(NAME … SOURCES … [LIBRARIES …] [HEADERS …]) builds one module, in this tree or outside it:
 #   a static library ashlar_module_NAME with its code (for its own tests), and
 #   the shared object ashlar_NAME.so that the program opens on demand,
+# installs the headers that modules elsewhere may include (as "NAME/header.hpp"),
 # and puts the module's module.lua (its schemas) beside it, in the build's modules/NAME.
 include(GNUInstallDirs)
 
 function(ashlar_module)
-  cmake_parse_arguments(M "" "NAME" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(M "" "NAME" "SOURCES;LIBRARIES;HEADERS" ${ARGN})
   add_library(ashlar_module_${M_NAME} STATIC ${M_SOURCES})
   target_link_libraries(ashlar_module_${M_NAME} PUBLIC ashlar::framework ${M_LIBRARIES})
   target_include_directories(ashlar_module_${M_NAME} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/..")
@@ -27,4 +28,5 @@ function(ashlar_module)
   set(installed "${CMAKE_INSTALL_LIBDIR}/ashlar/modules/${M_NAME}")
   install(TARGETS ashlar_${M_NAME} LIBRARY DESTINATION "${installed}")
   install(FILES module.lua DESTINATION "${installed}")
+  install(FILES ${M_HEADERS} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/ashlar/${M_NAME}")
 endfunction()

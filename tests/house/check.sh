@@ -79,7 +79,7 @@ libraries_in_their_rooms() {
 # Words that a module provides, as whole string literals in the framework. Ordinary words are not held against it,
 # nor are the names of fields, by which modules and output speak with each other.
 framework_names_no_module() {
-  local ordinary=" none file penalty points free loads shear " words
+  local ordinary=" none file penalty points free loads shear linear " words
   words=$({
     for folder in modules/*/; do [[ -d $folder ]] && basename "$folder"; done
     files modules -- module.lua | xargs -r -d '\n' grep -hv 'kind = "field"' |

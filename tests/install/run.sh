@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs Ashlar into an empty folder, builds a module outside the tree against it, and lets the installed
-# program use that module.
+# Installs Ashlar into an empty folder, builds modules outside the tree against it (a material, a friction law), and
+# lets the installed program use them.
 #   run.sh BUILD CMAKE
 set -euo pipefail
 
@@ -18,14 +18,15 @@ fail() {
   exit 1
 }
 
-# The tests' sources stay as they are: the module is built from a copy.
-cp -r "$here/degrading" "$folder/degrading"
-{
-  "$cmake" --install "$build" --prefix "$prefix"
-  "$cmake" -S "$folder/degrading" -B "$folder/degrading/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-    -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_INSTALL_PREFIX="$prefix"
-  "$cmake" --build "$folder/degrading/build"
-} >"$folder/log" 2>&1 || fail "the module outside the tree was not built: $(tail -n 20 "$folder/log")"
+# The tests' sources stay as they are: the modules are built from copies.
+cp -r "$here/degrading" "$here/power" "$folder"
+build_module() {
+  "$cmake" -S "$folder/$1" -B "$folder/$1/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_INSTALL_PREFIX="$prefix" &&
+    "$cmake" --build "$folder/$1/build"
+}
+{ "$cmake" --install "$build" --prefix "$prefix" && build_module degrading && build_module power; } \
+  >"$folder/log" 2>&1 || fail "a module outside the tree was not built: $(tail -n 20 "$folder/log")"
 
 said=$("$ashlar" list)
 [[ $said == *material.elastic* ]] || fail "the installed program does not find its own modules:"
@@ -61,3 +62,18 @@ awk -v a="$module" -v b="$lua" 'BEGIN {
   # Unloading follows the secants.
   if ((x[2]/x[1] - 0.5)^2 > 1e-6) exit 1
 }' || fail "the module and the script disagree:"
+
+# The friction law of the other module, which its own library hands to contact's, and its twin in the script.
+"$cmake" --install "$folder/power/build" >/dev/null
+sheared() {
+  said=$("$ashlar" drive "$folder/power/drive.lua" --set law="\"$1\"" --out "$folder/power_$1" 2>&1) ||
+    fail "the drive with the law '$1' does not run:"
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "shear [Pa]") column = i } END { print $column }' \
+    "$folder/power_$1/drive.csv"
+}
+module=$(sheared module)
+lua=$(sheared lua)
+awk -v a="$module" -v b="$lua" 'BEGIN {
+  printf "shear left %s MPa by the module, %s MPa by the script\n", a/1e6, b/1e6
+  exit !((3*a/2e6 - 1)^2 < 1e-12 && (a/b - 1)^2 < 1e-12)
+}' || fail "module and script disagree about friction, or with the law:"

@@ -7,28 +7,19 @@
 #include "contact/friction/barton_bandis/barton_bandis.hpp"
 #include "contact/friction/coulomb/coulomb.hpp"
 #include "contact/friction/lua/lua.hpp"
+#include "contact/friction/none/none.hpp"
 #include "contact/normal_laws/barton_bandis/barton_bandis.hpp"
 #include "contact/normal_laws/cohesive/cohesive.hpp"
 #include "contact/normal_laws/linear/linear.hpp"
 #include "contact/normal_laws/lua/lua.hpp"
 #include "contact/normal_laws/tension_cut_off/tension_cut_off.hpp"
+#include "contact/normal_laws/unilateral/unilateral.hpp"
 
 namespace ashlar::test {
 
 using namespace contact;
 
 constexpr double degree = std::numbers::pi / 180;
-
-/// Rigid, without any pull; the module's own stands in `unilateral`.
-class Rigid final : public NormalLaw {
- public:
-  Form form() const override { return Form::rigid; }
-};
-class Smooth final : public Friction {
- public:
-  bool frictionless() const override { return true; }
-  Strength strength(double, double) const override { return {}; }
-};
 
 /// Stands for a function of the script.
 class NumberFunction final : public core::Function {
@@ -86,7 +77,7 @@ struct Named {
 /// Every normal law with every friction law.
 inline std::vector<Named> all_laws() {
   const std::vector<std::pair<std::string, std::shared_ptr<const NormalLaw>>> normals = {
-      {"rigid", std::make_shared<Rigid>()},
+      {"rigid", std::make_shared<Unilateral>()},
       {"linear", std::make_shared<Linear>(20e9, 0)},
       {"linear with tension", std::make_shared<Linear>(20e9, 5e5)},
       {"tension_cut_off", std::make_shared<TensionCutOff>(5e5)},
@@ -100,7 +91,7 @@ inline std::vector<Named> all_laws() {
       }),
       number_function([](std::span<const double> a) { return 0.1 * a[1] / (1 + a[0] / 1e7); })};
   const std::vector<std::pair<std::string, std::shared_ptr<const Friction>>> frictions = {
-      {"none", std::make_shared<Smooth>()},
+      {"none", std::make_shared<Frictionless>()},
       {"coulomb", coulomb(0.6, 2e5)},
       {"softening", softening_coulomb(INFINITY)},
       {"softening with stiffness", softening_coulomb(30e9)},

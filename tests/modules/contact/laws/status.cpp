@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "modules/contact_laws/laws.hpp"
+#include "modules/contact/laws/laws.hpp"
 
 namespace ashlar::test {
 namespace {
@@ -14,7 +14,7 @@ Status next(const JointLaw& law, const PointMemory& memory, Status status, const
   return next_status(law, memory, status, y, respond(law, hold, memory, status, y), tolerance);
 }
 
-const JointLaw rough = joint(std::make_shared<Rigid>(), coulomb(0.5, 1e5));
+const JointLaw rough = joint(std::make_shared<Unilateral>(), coulomb(0.5, 1e5));
 
 TEST(status, open_lips_touch_when_they_overlap) {
   const PointMemory memory{Status::open, 0, 0, 0, 0, 2e-4, {}};
@@ -52,7 +52,7 @@ TEST(status, slip_that_would_turn_back_sticks) {
 }
 
 TEST(status, frictionless_lips_never_stick) {
-  const JointLaw smooth = joint(std::make_shared<Rigid>(), std::make_shared<Smooth>());
+  const JointLaw smooth = joint(std::make_shared<Unilateral>(), std::make_shared<Frictionless>());
   for (const Status status : {Status::stick, Status::slip_forward, Status::slip_backward}) {
     EXPECT_EQ(next(smooth, {}, status, {1e6, -1e-3}), Status::slip_forward);
     EXPECT_EQ(next(smooth, {}, status, {-2, 0}), Status::open);
@@ -118,7 +118,7 @@ TEST(remember, open_lips_rest_where_they_are_and_a_bond_is_broken) {
 }
 
 TEST(remember, frictionless_lips_travel_no_path) {
-  const JointLaw smooth = joint(std::make_shared<Rigid>(), std::make_shared<Smooth>());
+  const JointLaw smooth = joint(std::make_shared<Unilateral>(), std::make_shared<Frictionless>());
   PointMemory memory{Status::slip_forward, 2e6, 0, 1e-3, 0, 0, {}};
   memory = remember(smooth, {}, memory, Status::slip_forward, {1e6, -4e-3});
   EXPECT_NEAR(memory.rest, -3e-3, 1e-18);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "modules/contact_laws/laws.hpp"
+#include "modules/contact/laws/laws.hpp"
 
 namespace ashlar::test {
 namespace {

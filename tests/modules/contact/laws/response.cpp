@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "modules/contact_laws/laws.hpp"
+#include "modules/contact/laws/laws.hpp"
 
 namespace ashlar::test {
 namespace {
@@ -95,7 +95,7 @@ TEST(joint_law, derivatives_are_those_of_the_values) {
 
 TEST(joint_law, open_lips_are_free) {
   const PointMemory memory{Status::open, 0, 0, 1e-3, 0, 2e-4, {}};
-  const PointResponse r = respond(joint(std::make_shared<Rigid>(), coulomb(0.6)), {1e-9, 1e-9, 1e6, 1e6},
+  const PointResponse r = respond(joint(std::make_shared<Unilateral>(), coulomb(0.6)), {1e-9, 1e-9, 1e6, 1e6},
                                   memory, Status::open, {3e-3, 5e-3});
   EXPECT_EQ(r.jump, Eigen::Vector2d(3e-3, 5e-3));
   EXPECT_EQ(r.traction, Eigen::Vector2d(0, 0));
@@ -105,7 +105,7 @@ TEST(joint_law, open_lips_are_free) {
 
 TEST(joint_law, what_is_rigid_is_held_by_the_enforcement) {
   const PointMemory memory{Status::stick, 0, 0, 1e-3, 0, 2e-4, {}};
-  const JointLaw law = joint(std::make_shared<Rigid>(), coulomb(0.6));
+  const JointLaw law = joint(std::make_shared<Unilateral>(), coulomb(0.6));
   const PointResponse exact = respond(law, {}, memory, Status::stick, {2e6, 5e5});
   EXPECT_EQ(exact.jump, Eigen::Vector2d(2e-4, 1e-3));
   EXPECT_EQ(exact.traction, Eigen::Vector2d(-2e6, 5e5));
@@ -141,7 +141,7 @@ TEST(joint_law, slip_has_the_strength_and_dilates) {
 }
 
 TEST(joint_law, frictionless_lips_slide_both_ways) {
-  const JointLaw law = joint(std::make_shared<Rigid>(), std::make_shared<Smooth>());
+  const JointLaw law = joint(std::make_shared<Unilateral>(), std::make_shared<Frictionless>());
   const PointMemory memory{Status::slip_forward, 2e6, 0, 1e-3, 0, 0, {}};
   for (const double growth : {-5e-3, 5e-3}) {
     const PointResponse r = respond(law, {}, memory, Status::slip_forward, {2e6, growth});
@@ -153,11 +153,11 @@ TEST(joint_law, frictionless_lips_slide_both_ways) {
 TEST(joint_law, unknowns_to_begin_with_give_what_is_at_hand) {
   const PointMemory memory{Status::stick, 2e6, 5e5, 1e-3, 0, 2e-4, {}};
   const Eigen::Vector2d jump(1.5e-4, 2e-3);
-  const JointLaw rigid = joint(std::make_shared<Rigid>(), coulomb(0.6));
+  const JointLaw rigid = joint(std::make_shared<Unilateral>(), coulomb(0.6));
   EXPECT_EQ(begin_with(rigid, Status::open, memory, jump), jump);
   EXPECT_EQ(begin_with(rigid, Status::stick, memory, jump), Unknowns(2e6, 5e5));
   EXPECT_EQ(begin_with(rigid, Status::slip_forward, memory, jump), Unknowns(2e6, 0));
-  const JointLaw smooth = joint(std::make_shared<Rigid>(), std::make_shared<Smooth>());
+  const JointLaw smooth = joint(std::make_shared<Unilateral>(), std::make_shared<Frictionless>());
   EXPECT_EQ(begin_with(smooth, Status::slip_forward, memory, jump), Unknowns(2e6, 1e-3));
   const JointLaw tears = joint(std::make_shared<Cohesive>(Cohesive::Data{1e11, 1e6, 100}), coulomb(0.6));
   for (const Status status : statuses) {

@@ -1,0 +1,18 @@
+-- expect 12: joints.fault.normal_law: bears a pull of 1 MPa
+-- expect: a cohesion of at least tensile_strength*tan(friction_angle)
+-- found by check
+local u = units
+local rock = material.elastic { E = 10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }
+return Scene {
+  title = "A block of rock on a joint",
+  plane = "strain",
+  geometry = { rock = Rectangle { from = {0,0}, to = {10,5}, material = rock } },
+  joints = {
+    fault = Joint { path = { {0,2}, {10,2} },
+      normal_law = contact.tension_cut_off { tensile_strength = 1*u.MPa },
+      friction = contact.coulomb { friction_angle = 45*u.deg, cohesion = 0.9*u.MPa } },
+  },
+  mesh = mesh.structured { size = 1 },
+  supports = { ["rock.bottom"] = "xy" },
+  stages = { Stage { "self-weight", gravity = true } },
+}

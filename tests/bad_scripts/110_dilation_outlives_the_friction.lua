@@ -1,0 +1,17 @@
+-- expect 11: dilation_angle: is still above residual_friction_angle once
+-- found by check
+local u = units
+local rock = material.elastic { E = 10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }
+return Scene {
+  title = "A block of rock on a joint",
+  plane = "strain",
+  geometry = { rock = Rectangle { from = {0,0}, to = {10,5}, material = rock } },
+  joints = {
+    fault = Joint { path = { {0,2}, {10,2} },
+      friction = contact.coulomb { friction_angle = 30*u.deg, dilation_angle = 28*u.deg,
+        residual_friction_angle = 20*u.deg, softening_slip = 1*u.mm, dilation_slip = 10*u.mm } },
+  },
+  mesh = mesh.structured { size = 1 },
+  supports = { ["rock.bottom"] = "xy" },
+  stages = { Stage { "self-weight", gravity = true } },
+}

@@ -1,0 +1,16 @@
+-- expect 11: joints.fault.normal_law.pressure: must press more the further the lips close
+-- found by check
+local u = units
+local rock = material.elastic { E = 10*u.GPa, nu = 0.3, unit_weight = 24*u.kN/u.m^3 }
+return Scene {
+  title = "A block of rock on a joint",
+  plane = "strain",
+  geometry = { rock = Rectangle { from = {0,0}, to = {10,5}, material = rock } },
+  joints = {
+    fault = Joint { path = { {0,2}, {10,2} },
+      normal_law = contact.lua_normal { pressure = function(opening) return opening end }, friction = "none" },
+  },
+  mesh = mesh.structured { size = 1 },
+  supports = { ["rock.bottom"] = "xy" },
+  stages = { Stage { "self-weight", gravity = true } },
+}
