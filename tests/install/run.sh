@@ -63,7 +63,8 @@ awk -v a="$module" -v b="$lua" 'BEGIN {
   if ((x[2]/x[1] - 0.5)^2 > 1e-6) exit 1
 }' || fail "the module and the script disagree:"
 
-# The friction law of the other module, which its own library hands to contact's, and its twin in the script.
+# The friction law of the other module, which its own library hands to contact's, and its twin in the script: along a
+# path, and in a scene whose joint slips in part.
 "$cmake" --install "$folder/power/build" >/dev/null
 sheared() {
   said=$("$ashlar" drive "$folder/power/drive.lua" --set law="\"$1\"" --out "$folder/power_$1" 2>&1) ||
@@ -77,3 +78,16 @@ awk -v a="$module" -v b="$lua" 'BEGIN {
   printf "shear left %s MPa by the module, %s MPa by the script\n", a/1e6, b/1e6
   exit !((3*a/2e6 - 1)^2 < 1e-12 && (a/b - 1)^2 < 1e-12)
 }' || fail "module and script disagree about friction, or with the law:"
+
+pushed() {
+  said=$("$ashlar" run "$folder/power/scene.lua" --set law="\"$1\"" --no-files --json "$folder/power_$1.json" 2>&1) ||
+    fail "the scene with the friction '$1' does not run:"
+  grep -qE ' [1-9][0-9]* +[0-9.]+$' <<<"$(grep -E ' push ' <<<"$said")" || fail "nothing slips in the scene with '$1':"
+  grep -oE '"ux": [-0-9][-.e0-9]*' "$folder/power_$1.json" | tail -n 1 | sed 's/.*: //'
+}
+module=$(pushed module)
+lua=$(pushed lua)
+awk -v a="$module" -v b="$lua" 'BEGIN {
+  printf "block moved %s mm by the module, %s mm by the script\n", 1000*a, 1000*b
+  exit !(a > 5e-4 && (a/b - 1)^2 < 1e-16)
+}' || fail "module and script disagree about the block:"
