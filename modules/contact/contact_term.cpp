@@ -214,10 +214,11 @@ bool ContactTerm::augment(State& state, std::size_t joint, std::span<const doubl
   double penetration = 0;
   for (std::size_t p = 0; p < own.points.size(); ++p) {
     const Index c = first + 2 * static_cast<Index>(p);
-    const PointMemory now = trial(state, joint, p);
-    if (!touching(now.status)) continue;
-    const double gap = answer(state, joint, p, unknown.subspan(c, 2)).jump[0] - now.dilation;
-    penetration = std::max(penetration, std::abs(gap) / own.points[p].h);
+    const Status status = trial(state, joint, p).status;
+    if (!touching(status)) continue;
+    const Eigen::Vector2d gives =
+        yielding(own.law, hold(state, joint, p), committed(state, joint, p), status, unknowns_at(unknown, c));
+    penetration = std::max(penetration, gives.lpNorm<Eigen::Infinity>() / own.points[p].h);
   }
   const auto base = state.trial(base_[joint]);
   double &growth = base[base.size() - 2], &before = base[base.size() - 1];

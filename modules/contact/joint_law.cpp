@@ -128,6 +128,12 @@ PointResponse respond(const JointLaw& law, const Hold& hold, const PointMemory& 
   return respond_slip(*law.friction, n, e, committed, sense(status), unknowns[1]);
 }
 
+Eigen::Vector2d yielding(const JointLaw& law, const Hold& hold, const PointMemory& committed, Status status,
+                         const Unknowns& unknowns) {
+  return respond(law, hold, committed, status, unknowns).jump -
+         respond(law, {}, committed, status, unknowns).jump;
+}
+
 Status next_status(const JointLaw& law, const PointMemory& committed, Status status, const Unknowns& unknowns,
                    const PointResponse& response, const Tolerance& tolerance) {
   if (!touches(law, committed, status, unknowns, -response.traction[0], tolerance)) return Status::open;

@@ -135,6 +135,11 @@ struct PointResponse {
 PointResponse respond(const JointLaw& law, const Hold& hold, const PointMemory& committed, Status status,
                       const Unknowns& unknowns);
 
+/// How far the enforcement gives way where the laws would not [m]: across and along the joint. An augmented
+/// Lagrangian makes it vanish.
+Eigen::Vector2d yielding(const JointLaw& law, const Hold& hold, const PointMemory& committed, Status status,
+                         const Unknowns& unknowns);
+
 /// Below these, tractions and displacements count as zero.
 struct Tolerance {
   double traction = 0;      ///< [Pa]

@@ -113,6 +113,8 @@ TEST(joint_law, what_is_rigid_is_held_by_the_enforcement) {
   const PointResponse soft = respond(law, {1e-10, 2e-10, 5e5, 1e5}, memory, Status::stick, {2e6, 5e5});
   EXPECT_NEAR(soft.jump[0], 2e-4 - 1.5e-4, 1e-18);
   EXPECT_NEAR(soft.jump[1], 1e-3 + 8e-5, 1e-18);
+  const Eigen::Vector2d yielded = yielding(law, {1e-10, 2e-10, 5e5, 1e5}, memory, Status::stick, {2e6, 5e5});
+  EXPECT_NEAR((yielded - Eigen::Vector2d(-1.5e-4, 8e-5)).norm(), 0, 1e-18);
 }
 
 TEST(joint_law, laws_with_stiffness_need_no_enforcement) {
@@ -124,6 +126,7 @@ TEST(joint_law, laws_with_stiffness_need_no_enforcement) {
     const PointResponse r = respond(law, hold, memory, Status::stick, {2e6, 5e5});
     EXPECT_NEAR(r.jump[0], -1e-4, 1e-18);
     EXPECT_NEAR(r.jump[1], 1e-3 + 5e-5, 1e-18);
+    EXPECT_EQ(yielding(law, hold, memory, Status::stick, {2e6, 5e5}), Eigen::Vector2d(0, 0));
   }
 }
 
