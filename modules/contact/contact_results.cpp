@@ -45,14 +45,11 @@ void add_force(const ContactPoint& point, const PointMemory& memory, model::Resu
   }
 }
 
-void add_extremes(const ContactPoint& point, const JointResult::Row& row, JointResult& result) {
+void add_extremes(const JointResult::Row& row, JointResult& result) {
   result.max_opening = std::max(result.max_opening, row.opening);
   result.max_slip = std::max(result.max_slip, std::abs(row.slip));
   result.max_pressure = std::max(result.max_pressure, row.pressure);
   result.max_shear = std::max(result.max_shear, std::abs(row.shear));
-  if (!row.closed) return;
-  result.max_penetration = std::max(result.max_penetration, -row.opening);
-  result.penetration_over_h = std::max(result.penetration_over_h, -row.opening / point.h);
 }
 
 }  // namespace
@@ -80,7 +77,10 @@ void ContactTerm::add_row(const PointMemory& memory, std::size_t joint, std::siz
   result.shear_force += memory.shear * p.area;
   result.action_s += memory.pressure * p.area * p.s;
   add_force(p, memory, result.resultant);
-  add_extremes(p, row, result);
+  add_extremes(row, result);
+  const double overlap = penetration(joints_[joint].law, memory, row.opening);
+  result.max_penetration = std::max(result.max_penetration, overlap);
+  result.penetration_over_h = std::max(result.penetration_over_h, overlap / p.h);
   result.rows.push_back(row);
 }
 

@@ -289,13 +289,15 @@ std::string ContactTerm::point_name(std::size_t point) const {
 std::vector<std::pair<std::string, double>> ContactTerm::facts(const State& state,
                                                                std::span<const double> unknown) const {
   std::array<double, 4> count{};
-  double penetration = 0, pressure = 0;
+  double overlap = 0, pressure = 0;
   for_each([&](std::size_t j, std::size_t p, Index c) {
     const Status now = trial(state, j, p).status;
     ++count[static_cast<std::size_t>(now)];
     if (!touching(now)) return;
     const PointResponse response = answer(state, j, p, unknown.subspan(c, 2));
-    penetration = std::max(penetration, -response.jump[0] / joints_[j].points[p].h);
+    const double gives =
+        yielding(joints_[j].law, hold(state, j, p), committed(state, j, p), now, unknowns_at(unknown, c))[0];
+    overlap = std::max(overlap, -gives / joints_[j].points[p].h);
     pressure = std::max(pressure, -response.traction[0]);
   });
   std::vector<std::pair<std::string, double>> facts = {{"open", count[0]}};
@@ -303,7 +305,7 @@ std::vector<std::pair<std::string, double>> ContactTerm::facts(const State& stat
       joints_, [](const JointContact& joint) { return !joint.law.friction->frictionless(); });
   if (rough) facts.insert(facts.end(), {{"stick", count[1]}, {"slip", count[2] + count[3]}});
   if (!rough) facts.emplace_back("closed", count[1] + count[2] + count[3]);
-  facts.insert(facts.end(), {{"penetration/h", penetration}, {"pressure", pressure}});
+  facts.insert(facts.end(), {{"penetration/h", overlap}, {"pressure", pressure}});
   return facts;
 }
 

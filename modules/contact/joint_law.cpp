@@ -134,6 +134,13 @@ Eigen::Vector2d yielding(const JointLaw& law, const Hold& hold, const PointMemor
          respond(law, {}, committed, status, unknowns).jump;
 }
 
+double penetration(const JointLaw& law, const PointMemory& memory, double gap) {
+  if (of_traction(law) || !touching(memory.status)) return 0;
+  const bool soft = law.normal->form() == NormalLaw::Form::compliant;
+  const double asked = soft ? law.normal->opening(memory.pressure).value : 0;
+  return std::max(0.0, asked + memory.dilation - gap);
+}
+
 Status next_status(const JointLaw& law, const PointMemory& committed, Status status, const Unknowns& unknowns,
                    const PointResponse& response, const Tolerance& tolerance) {
   if (!touches(law, committed, status, unknowns, -response.traction[0], tolerance)) return Status::open;

@@ -140,6 +140,9 @@ PointResponse respond(const JointLaw& law, const Hold& hold, const PointMemory& 
 Eigen::Vector2d yielding(const JointLaw& law, const Hold& hold, const PointMemory& committed, Status status,
                          const Unknowns& unknowns);
 
+/// How far closed lips overlap beyond what the normal law asks for [m], ≥ 0: the enforcement's error.
+double penetration(const JointLaw& law, const PointMemory& memory, double gap);
+
 /// Below these, tractions and displacements count as zero.
 struct Tolerance {
   double traction = 0;      ///< [Pa]
