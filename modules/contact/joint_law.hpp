@@ -89,6 +89,7 @@ struct JointLaw {
   std::shared_ptr<const Friction> friction;
 };
 
+/// With a law of traction lips touch while they are closed or the law gives them a pressure or a pull.
 enum class Status : std::int8_t { open, stick, slip_forward, slip_backward };
 inline bool touching(Status status) {
   return status != Status::open;

@@ -35,16 +35,29 @@ Sample sample(const LuaFunction& function, double pressure, double path) {
   return sample;
 }
 
+std::string at_text(double pressure, double path) {
+  return "at a pressure of " + core::format_quantity(pressure, core::parse_dimension("Pa")) +
+         " and a slip of " + core::format_quantity(path, core::parse_dimension("m"));
+}
+
+// Work of a slip Δ: f Δ against p d; more of the second than of the first would come from nowhere.
 void try_out(const LuaFriction::Data& data, const core::Settings& settings, core::Mistakes& mistakes) {
+  constexpr double rounding = 1e-6;
   for (const double pressure : {0.0, 1e3, 1e6, 1e8})
     for (const double path : {0.0, 1e-3, 1e-1}) {
-      if (data.dilation) data.dilation({pressure, path});
-      if (data.strength({pressure, path}) >= 0) continue;
-      mistakes.add(settings.place_of("strength"),
-                   "must not be negative, but is at a pressure of " +
-                       core::format_quantity(pressure, core::parse_dimension("Pa")) + " and a slip of " +
-                       core::format_quantity(path, core::parse_dimension("m")),
-                   "math.max(0, …)");
+      const double strength = data.strength({pressure, path});
+      if (strength < 0) {
+        mistakes.add(settings.place_of("strength"), "must not be negative, but is " + at_text(pressure, path),
+                     "math.max(0, …)");
+        return;
+      }
+      if (!data.dilation) continue;
+      const double gained = pressure * sample(data.dilation, pressure, path).by_path;
+      if (gained <= strength * (1 + rounding)) continue;
+      mistakes.add(settings.place_of("dilation"),
+                   "opens the lips by more than the shear pays for " + at_text(pressure, path) +
+                       ": sliding would give energy back",
+                   "opening for slip must stay below strength/pressure");
       return;
     }
 }
