@@ -161,6 +161,11 @@ Schema stage() {
       {parameter("", Form::text, "the stage's name") | required(),
        parameter("parent", Form::text, "the earlier stage it starts from; the one before it by default") |
            refers("stage"),
+       parameter(
+           "steps", Form::integer,
+           "equal load steps that lead to the stage's end, for laws that remember their path (friction, "
+           "yielding)") |
+           within({1, 100000}) | otherwise(make_value(1.0)),
        supports("all supports from this stage on, in place of the inherited ones")}};
 }
 

@@ -106,10 +106,12 @@ Index worst_unknown(std::span<const double> free) {
 
 void stop(const LocalResult& result, StepReport& report) {
   report.reason = result.reason;
-  report.advice = result.singular
-                      ? "hold the body by a support in this stage, or load it so that its joints close"
-                      : "smaller cells along the joint, a softer contact (a smaller penalty factor), or "
-                        "the load spread over several stages";
+  report.advice =
+      result.singular
+          ? "hold the body by a support in this stage, load it so that its joints close, or give them more "
+            "strength"
+          : "smaller cells along the joint, a softer contact (a smaller penalty factor), or "
+            "the load spread over several stages";
   report.singular = result.singular;
 }
 

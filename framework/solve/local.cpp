@@ -16,6 +16,8 @@ constexpr int most_newton_steps = 20;
 constexpr double fit = 1e-14;
 // A condensed matrix worse than this is singular to working accuracy.
 constexpr double singular = 1e-14;
+// Jumps so many times those of joints that touch everywhere are a body that rounding alone holds.
+constexpr double loose = 1e7;
 // Constraints that repeat each other (where joints meet) are told apart by this share of the ground
 // compliance, in the matrix only: what is solved stays exact.
 constexpr double poor = 1e-12, told_apart = 1e-7;
@@ -137,12 +139,15 @@ class Search {
     const int most = most_statuses + static_cast<int>(terms_.blocks().size());
     for (int number = 1; number <= most; ++number) {
       const std::vector<std::int8_t> before = terms_.status(state_);
-      if (!visited_.insert(before).second && !break_cycle()) return {false, false, cycle_};
+      if (!visited_.insert(before).second && !break_cycle())
+        return loosened_ ? not_held() : LocalResult{false, false, name_cycle(terms_, state_, flipping_)};
       residual_ = solve_fixed_status();
       if (residual_ < 0) {
+        loosened_ = true;
         if (step_back() || ground()) continue;
-        return {false, true, "the joints do not hold a body that nothing else holds"};
+        return not_held();
       }
+      if (good_ != before) flipping_ = good_;
       good_ = before;
       good_unknown_ = unknown_;
       const int changed = update();
@@ -171,6 +176,7 @@ class Search {
       const double scale = std::max({largest(change_), largest(from_load_), largest(pressed), 1e-300});
       const double relative = largest(misfit) / scale;
       if (!std::isfinite(relative)) return -1;
+      if (largest(change_) > loose * std::max(largest(from_load_), largest(fixed_))) return -1;
       if (step > 0 && (relative < fit || (step > 1 && relative > 0.5 * before))) return relative;
       before = relative;
       const StepMatrix matrix(terms_, bulk_, response_);
@@ -192,14 +198,14 @@ class Search {
   /// A status came back: from here on points change one by one, the one that fits worst first. False if they
   /// do so already.
   bool break_cycle() {
-    if (one_) {
-      const std::vector<std::int8_t> before = terms_.status(state_);
-      if (good_.size() == before.size()) cycle_ = name_cycle(terms_, state_, good_);
-      return false;
-    }
+    if (one_) return false;
     one_ = true;
     visited_.clear();
     return true;
+  }
+
+  LocalResult not_held() const {
+    return {false, true, "the joints do not hold a body that nothing else holds" + counts()};
   }
 
   /// The last change let a body loose: only its worst point changes.
@@ -217,6 +223,15 @@ class Search {
   /// A body that nothing holds moves with its load until a point touches.
   bool ground() { return terms_.close_first(state_, from_load_, unknown_); }
 
+  /// " (open 3, stick 0, slip 5)": how the joints stand.
+  std::string counts() const {
+    std::string words;
+    for (const auto& [name, value] : terms_.facts(state_, unknown_))
+      if (value == std::floor(value) && name != "pressure" && name != "penetration/h")
+        words += (words.empty() ? "" : ", ") + name + " " + std::to_string(static_cast<long>(value));
+    return words.empty() ? "" : " (" + words + ")";
+  }
+
   void add_row(int number, int changed, std::vector<model::Iteration>& rows) {
     model::Iteration row{1, number, residual_, {{"changed", changed}}};
     for (auto& fact : terms_.facts(state_, unknown_)) row.facts.push_back(std::move(fact));
@@ -233,8 +248,9 @@ class Search {
   Eigen::VectorXd unknown_, good_unknown_, fixed_, from_load_, change_;
   model::JumpResponse response_;
   std::set<std::vector<std::int8_t>> visited_;
-  std::vector<std::int8_t> good_;  ///< the last status that could be solved
-  std::string cycle_;
+  std::vector<std::int8_t> good_;      ///< the last status that could be solved
+  std::vector<std::int8_t> flipping_;  ///< the one before it
+  bool loosened_ = false;              ///< a status was met that does not hold a body
   double residual_ = 0;
   bool one_ = false;
 };

@@ -133,6 +133,7 @@ class March {
 
   model::StageResult run_stage(std::size_t s) {
     const Prepared& ready = prepared_[s];
+    stage_ = s;
     model::StageResult result;
     result.name = in_.scene.stages[s].name;
     for (const model::Call& call : in_.plan.stages[s].calls) result.effects.push_back(call.effect);
@@ -162,11 +163,12 @@ class March {
                     model::StageResult& result) {
     const auto from = start.state.committed(displacement);
     if (!agrees(ready.constraints, from, result)) return false;
-    double reached = 0, size = 1;
+    const double largest = 1.0 / steps_of(in_.scene.stages[stage_]);
+    double reached = 0, size = largest;
     int step = 1;
     std::vector<double> load(ready.load.size()), prescribed(ready.load.size());
     while (reached < 1) {
-      const double to = std::min(1.0, reached + size);
+      const double to = reached + size > 1 - 1e-9 ? 1.0 : reached + size;
       for (std::size_t dof = 0; dof < load.size(); ++dof) {
         load[dof] = to == 1 ? ready.load[dof] : start.load[dof] + to * (ready.load[dof] - start.load[dof]);
         const double end = ready.constraints.at_value[dof] ? ready.constraints.value[dof] : from[dof];
@@ -183,13 +185,13 @@ class March {
       if (report.converged) {
         state_.commit();
         reached = to;
-        size = std::min(1.0 - reached, 2 * size);
+        size = std::min({1.0 - reached, 2 * size, largest});
         ++step;
         continue;
       }
       state_.revert();
       size /= 2;
-      if ((bulk.linear() && local.empty()) || report.singular || size < std::ldexp(1.0, -most_cuts)) {
+      if ((bulk.linear() && local.empty()) || report.singular || size < std::ldexp(largest, -most_cuts)) {
         result.converged = false;
         result.reason = report.reason + at_unknown(ready.constraints, report.worst);
         result.advice = report.advice;
@@ -202,6 +204,12 @@ class March {
       core::log().info("stage '" + result.name + "': " + report.reason + "; trying a step of half the size");
     }
     return true;
+  }
+
+  static int steps_of(const model::StageData& stage) {
+    const core::Settings::Entry* entry = stage.settings.find("steps");
+    const core::Quantity* steps = entry ? entry->value.quantity() : nullptr;
+    return steps ? static_cast<int>(steps->value) : 1;
   }
 
   /// False if a point is held where it is and, by another support, somewhere else.
@@ -299,6 +307,7 @@ class March {
   std::vector<Prepared> prepared_;
   std::vector<Ended> ended_;
   std::vector<Index> probe_points_;
+  std::size_t stage_ = 0;  ///< at work
   std::optional<Bulk> bulk_;
   std::optional<LocalTerms> local_;
 };

@@ -62,13 +62,16 @@ void check_support(const model::Model& model, const model::Scene& scene, const m
 
 std::string loose_bodies(const model::Model& model, const model::Scene& scene,
                          const model::Constraints& constraints) {
+  constexpr int most = 3;
   std::string words;
+  int count = 0;
   for (const Body& body : find_bodies(model, constraints)) {
     const std::string motions = body.motions.words();
-    if (motions.empty()) continue;
+    if (motions.empty() || ++count > most) continue;
     words += (words.empty() ? ": without them '" : "; '") +
              scene.regions[model.mesh.cell_region[body.first_cell]].name + "' can " + motions;
   }
+  if (count > most) words += "; and so " + std::to_string(count - most) + " more";
   return words;
 }
 

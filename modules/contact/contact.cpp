@@ -4,6 +4,7 @@
 
 #include "contact/laws.hpp"
 #include "core/log.hpp"
+#include "mesh/match_lips.hpp"
 
 namespace ashlar::contact {
 
@@ -69,6 +70,17 @@ void Contact::check_joint(const model::JointData& joint, core::Mistakes& mistake
     if (slave == lip || joint.line.name + "." + slave == lip) return;
   mistakes.add(settings.place_of("slave"), name + " has no lip '" + slave + "'",
                core::did_you_mean(slave, lips));
+}
+
+void Contact::shape_mesh(const model::Scene& scene, mesh::Mesh& mesh, core::Mistakes&) const {
+  for (std::size_t j = 0; j < mesh.joints.size(); ++j)
+    for (const model::JointData& joint : scene.joints) {
+      const core::Settings& pairing = joint.settings.object("pairing");
+      if (joint.line.name != mesh.joints[j].name || pairing.name != "node_insertion") continue;
+      const Index inserted = mesh::match_lips(mesh, j, pairing.number("reach"));
+      core::log().info("joint '" + joint.line.name + "': " + std::to_string(inserted) +
+                       " points inserted, so that both lips have the same");
+    }
 }
 
 JointContact Contact::make_joint(const model::Model& model, const mesh::JointLips& lips,

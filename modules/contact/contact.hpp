@@ -13,6 +13,8 @@ class Contact final : public model::Effect {
  public:
   explicit Contact(core::Registry& registry) : registry_(registry) {}
   void check(const model::Scene& scene, core::Mistakes& mistakes) const override;
+  /// Makes the lips of joints correspond whose pairing is node insertion.
+  void shape_mesh(const model::Scene& scene, mesh::Mesh& mesh, core::Mistakes& mistakes) const override;
   void contribute(const model::StageContext& context, model::Terms& terms) override;
 
  private:

@@ -19,9 +19,20 @@ Unknowns unknowns_at(std::span<const double> all, Index component) {
   return {all[component], all[component + 1]};
 }
 
-/// What lips begin with that come to touch.
+/// What lips begin with that touch.
 Status touching_status(const JointLaw& law) {
   return law.friction->frictionless() ? Status::slip_forward : Status::stick;
+}
+
+/// What open lips begin with that overlap: had `ground` held them at their jump, they would stick, or have
+/// slipped.
+Status predicted(const JointLaw& law, const PointMemory& committed, const Eigen::Vector2d& jump,
+                 double ground) {
+  if (law.friction->frictionless()) return Status::slip_forward;
+  const double pressure = ground * std::max(0.0, committed.dilation - jump[0]);
+  const double shear = ground * (jump[1] - committed.rest);
+  if (std::abs(shear) <= law.friction->strength(pressure, committed.path).value) return Status::stick;
+  return shear > 0 ? Status::slip_forward : Status::slip_backward;
 }
 
 void put_unknowns(const Unknowns& own, Index component, std::span<double> all) {
@@ -159,8 +170,10 @@ std::vector<ContactTerm::Misfit> ContactTerm::misfits(const State& state, const 
     const Unknowns own = unknowns_at(unknown, c);
     const Status now = trial(state, j, p).status;
     const PointResponse response = answer(state, j, p, unknown.subspan(c, 2));
-    const Status next = next_status(joints_[j].law, committed(state, j, p), now, own, response, tolerance);
+    const PointMemory before = committed(state, j, p);
+    Status next = next_status(joints_[j].law, before, now, own, response, tolerance);
     if (next == now) return;
+    if (!touching(now)) next = predicted(joints_[j].law, before, response.jump, jumps_.ground[c]);
     // Energy by which the status is wrong: tractions times the displacement that they would cause.
     const double ground = jumps_.ground[c];
     const double size = jumps_.area[c] * (touching(now) ? response.traction.squaredNorm() / ground

@@ -7,6 +7,7 @@
 #include "contact/joint_driver.hpp"
 #include "contact/laws.hpp"
 #include "contact/pairing/mortar/mortar.hpp"
+#include "contact/pairing/node_insertion/node_insertion.hpp"
 #include "contact/pairing/node_to_segment/node_to_segment.hpp"
 
 namespace {
@@ -21,6 +22,9 @@ void add_pairings(core::Registry& registry) {
                                               ? NodeToSegment::Weight::equal
                                               : NodeToSegment::Weight::tributary;
                       return std::make_shared<NodeToSegment>(weight, settings.integer("passes"));
+                    }));
+  registry.add_make("pairing", "node_insertion", std::function<MakePairing>([](const Settings&) {
+                      return std::make_shared<NodeInsertion>();
                     }));
   registry.add_make("pairing", "mortar",
                     std::function<MakePairing>([](const Settings&) { return std::make_shared<Mortar>(); }));

@@ -30,6 +30,13 @@ return {
           numerical = true,
           doc = "length that a point stands for: half of its edges, or the mean edge for all (source paper)" },
       } },
+    { kind = "pairing", name = "node_insertion", constructor = "contact.node_insertion",
+      doc = "Points of each lip become hanging points of the other, and nodes pair with nodes: exact for a uniform "
+         .. "pressure. For elements that take polygons.",
+      parameters = {
+        { key = "reach", forms = { "number" }, default = 1, numerical = true, range = { above = 0 },
+          doc = "lips farther apart than this many edge lengths are not matched" },
+      } },
     { kind = "pairing", name = "mortar", constructor = "contact.mortar",
       doc = "Segment to segment: means of the gap over the slave lip's shape functions (dual multipliers). Passes a "
          .. "uniform pressure exactly whatever the points of both lips, for elements of every order.",

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "geometry/polygon.hpp"
+#include "geometry/quadrature.hpp"
 
 namespace ashlar::contact {
 
@@ -14,11 +15,17 @@ using mesh::LipEdge;
 namespace {
 
 constexpr double opposite = -0.5;
+// Normals (as distance of unit vectors) within 30°: chords of a curve, not a corner of the joint.
+constexpr double smooth = 0.52;
 
 }  // namespace
 
 Lips::Lips(const model::Model& model, const mesh::JointLips& joint, int slave)
-    : model_(model), slave_(joint.lips[slave]), master_(joint.lips[1 - slave]), slave_number_(slave) {}
+    : model_(model),
+      slave_(joint.lips[slave]),
+      master_(joint.lips[1 - slave]),
+      slave_number_(slave),
+      apart_(joint.apart) {}
 
 Point Lips::normal(const LipEdge& edge) const {
   const auto [a, b] = model_.mesh.edge_points[edge.edge];
@@ -78,6 +85,77 @@ const LipEdge* Lips::nearest_master(const LipEdge& slave, Point place, Point tow
     best_towards = from_towards;
   }
   return best;
+}
+
+namespace {
+
+/// Nodes of one edge: ∫ φ ds is half an edge each for order 1, Simpson's 1/6, 4/6, 1/6 for order 2.
+void add_parts(const Lips& lips, const LipEdge& edge, int piece, std::vector<SlavePart>& parts) {
+  const std::vector<TraceNode> nodes = lips.nodes(edge);
+  const std::size_t first = parts.size();
+  for (std::size_t i = 0; i < nodes.size(); ++i) parts.push_back({&edge, nodes[i], i, 0, 0, piece});
+  const geometry::Rule& rule = geometry::gauss_legendre(lips.model().element->order() + 1);
+  const double length = lips.length(edge);
+  std::vector<double> shape;
+  for (std::size_t q = 0; q < rule.at.size(); ++q) {
+    lips.shape(edge, rule.at[q], shape);
+    const double depth = lips.model().depth(lips.place(edge, rule.at[q]));
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      parts[first + i].length += rule.weight[q] * length * shape[i];
+      parts[first + i].area += rule.weight[q] * length * shape[i] * depth;
+    }
+  }
+}
+
+bool same_jump(const ContactPoint& a, const ContactPoint& b) {
+  if (a.shares.size() != b.shares.size()) return false;
+  for (std::size_t i = 0; i < a.shares.size(); ++i)
+    if (a.shares[i].dof != b.shares[i].dof || std::abs(a.shares[i].factor - b.shares[i].factor) > same_place)
+      return false;
+  return geometry::distance(a.normal, b.normal) < smooth;
+}
+
+}  // namespace
+
+std::vector<SlavePart> slave_parts(const Lips& lips) {
+  std::vector<SlavePart> parts;
+  int piece = 0;
+  for (std::size_t i = 0; i < lips.slave().size(); ++i) {
+    if (i > 0 && lips.slave()[i - 1].to != lips.slave()[i].from) ++piece;
+    add_parts(lips, lips.slave()[i], piece, parts);
+  }
+  return parts;
+}
+
+ContactPoint begin_point(const Lips& lips, const SlavePart& part, const LipEdge& master) {
+  ContactPoint point;
+  point.slave = lips.slave_number();
+  point.normal = lips.normal(master);
+  point.tangent = lips.slip_direction(master);
+  point.length = part.length;
+  point.area = part.area;
+  point.modulus = std::min(lips.modulus(*part.edge), lips.modulus(master));
+  point.s = part.edge->s_from + part.node.t * (part.edge->s_to - part.edge->s_from);
+  point.at = part.node.at;
+  point.piece = part.piece;
+  return point;
+}
+
+// On a curve the normal is that of both parts' pressure, L n = L₁ n₁ + L₂ n₂, so that a uniform pressure
+// stays in balance.
+void append(std::vector<ContactPoint>& points, ContactPoint point) {
+  if (points.empty() || !same_jump(points.back(), point)) {
+    points.push_back(std::move(point));
+    return;
+  }
+  ContactPoint& one = points.back();
+  const Point along = one.length * one.tangent + point.length * point.tangent;
+  const Point across = one.length * one.normal + point.length * point.normal;
+  one.area = (one.area + point.area) * geometry::norm(across) / (one.length + point.length);
+  one.length = geometry::norm(across);
+  one.normal = (1 / geometry::norm(across)) * across;
+  one.tangent = (1 / geometry::norm(along)) * along;
+  one.modulus = std::min(one.modulus, point.modulus);
 }
 
 void set_sizes(const Lips& lips, std::vector<ContactPoint>& points) {

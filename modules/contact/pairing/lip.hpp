@@ -2,8 +2,6 @@
 // The lips of a joint as pairings see them: edges with their normals and the nodes of their trace, for
 // elements of any order.
 
-#include <optional>
-
 #include "contact/parts.hpp"
 
 namespace ashlar::contact {
@@ -32,6 +30,10 @@ class Lips {
   Point place(const mesh::LipEdge& edge, double t) const {
     return at(edge.from) + t * (at(edge.to) - at(edge.from));
   }
+  /// The place on the true surface: on the arc that an edge of a body meshed apart is a chord of.
+  Point surface(const mesh::LipEdge& edge, Point place) const {
+    return apart_ && edge.arc ? edge.arc->nearest(place) : place;
+  }
   /// Outward unit normal: border edges have their body on the left.
   Point normal(const mesh::LipEdge& edge) const;
   /// Unit vector along which slip is that of the first lip against the second: along the path for a jump of
@@ -52,7 +54,27 @@ class Lips {
   const model::Model& model_;
   const std::vector<mesh::LipEdge>&slave_, &master_;
   int slave_number_;
+  bool apart_;
 };
+
+/// A node of a slave edge with what it stands for of that edge.
+struct SlavePart {
+  const mesh::LipEdge* edge = nullptr;
+  TraceNode node;
+  std::size_t number = 0;  ///< among the edge's nodes, along the path
+  double length = 0;       ///< ∫ φ ds
+  double area = 0;         ///< ∫ φ depth ds
+  int piece = 0;
+};
+/// The nodes of all slave edges, along the path.
+std::vector<SlavePart> slave_parts(const Lips& lips);
+
+/// What a slave part alone gives a contact point: all but its partner.
+ContactPoint begin_point(const Lips& lips, const SlavePart& part, const mesh::LipEdge& master);
+
+/// Appends the point of one part: both parts of a node on a straight or curved lip become one contact point;
+/// at a corner they stay two.
+void append(std::vector<ContactPoint>& points, ContactPoint point);
 
 /// Lengths of the slave's edges at its nodes: h is their mean.
 void set_sizes(const Lips& lips, std::vector<ContactPoint>& points);

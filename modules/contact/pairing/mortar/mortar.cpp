@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <Eigen/Cholesky>
 
@@ -97,7 +98,9 @@ std::vector<At> integration_points(const Lips& lips, const LipEdge& slave, const
       at.depth = lips.model().depth(place);
       at.edge = segment.master;
       // g = n·(x_s − x_m), n: outward of the master, here against the slave's.
-      at.gap = -geometry::dot(lips.normal(slave), place - lips.place(*segment.master, on_master));
+      const Point there = lips.place(*segment.master, on_master);
+      at.gap = -geometry::dot(lips.normal(slave),
+                              lips.surface(slave, place) - lips.surface(*segment.master, there));
       lips.shape(slave, t, at.slave);
       lips.shape(*segment.master, on_master, at.master);
     }

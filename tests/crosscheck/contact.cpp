@@ -1,0 +1,146 @@
+// Joints through the whole program: closed forms of contact, friction and pressure between lips.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/scene_run.hpp"
+
+namespace ashlar::test {
+namespace {
+
+using model::JointResult;
+
+std::filesystem::path scene(const std::string& name) {
+  return std::filesystem::path(ASHLAR_SOURCE_DIR) / "tests" / "crosscheck" / "scenes" / (name + ".lua");
+}
+
+const JointResult& joint_of(const SceneRun& run, const std::string& stage, std::size_t number = 0) {
+  return run.stage(stage).joints.at(number);
+}
+
+constexpr double degree = std::numbers::pi / 180;
+
+// Two bodies that do not match, inclined by 20°, in uniform compression σ: p = σ cos² α, τ = σ sin α cos α.
+double patch_error(const ParameterValues& set) {
+  ParameterValues all = {{"tilt", "20.0"}, {"ratio", "1.41421356"}, {"meshes", "voronoi"}};
+  all.insert(all.end(), set.begin(), set.end());
+  const SceneRun run = run_scene(scene("contact_patch"), all);
+  const double c = std::cos(20 * degree), s = std::sin(20 * degree);
+  double worst = 0;
+  for (const auto& row : joint_of(run, "press").rows)
+    worst = std::max({worst, std::abs(row.pressure / (1e6 * c * c) - 1),
+                      std::abs(std::abs(row.shear) / (1e6 * s * c) - 1)});
+  return worst;
+}
+
+TEST(ContactPatch, mortar_and_node_insertion_are_uniform_whatever_the_points) {
+  for (const char* pairing : {"mortar", "node_insertion"})
+    for (const char* order : {"1", "2", "3"})
+      for (const char* enforce : {"lagrange", "augmented_lagrange", "penalty"}) {
+        const double error = patch_error({{"pairing", pairing}, {"order", order}, {"enforce", enforce}});
+        std::printf("%-15s order %s %-18s %.1e\n", pairing, order, enforce, error);
+        // A penalty penetrates by p h/(100 E'): evenly, where all points are as stiff, else about 1/100 of
+        // the compression differs; multipliers are built up until 1e-8 h penetrates.
+        EXPECT_LT(error, std::string(enforce) == "penalty" ? 1e-2 : 1e-4) << pairing << order << enforce;
+        if (std::string(enforce) == "lagrange") {
+          EXPECT_LT(error, 1e-10);
+        }
+      }
+}
+
+TEST(ContactPatch, one_pass_node_to_segment_fails) {
+  const double error = patch_error({{"pairing", "node_to_segment"}, {"enforce", "lagrange"}});
+  std::printf("one-pass node-to-segment: pressure wrong by %.1f %%\n", 100 * error);
+  EXPECT_GT(error, 1e-2);
+}
+
+// u_x = σ L/E + (σ/2) (1/k_n + 1/k_t)/√2
+TEST(Interface, an_oblique_elastic_interface_gives_way_as_the_closed_form_says) {
+  for (const char* mesh : {"voronoi", "gmsh"}) {
+    const SceneRun run = run_scene(scene("oblique"), {{"mesh", mesh}});
+    const double right = 1e6 / 30e9 + 0.5e6 * (1 / 20e9 + 1 / 40e9) / std::sqrt(2.0);
+    EXPECT_NEAR(right, 0.05985e-3, 5e-9);
+    EXPECT_NEAR(run.value("press", "right", "ux"), -right, 1e-12) << mesh;
+    EXPECT_NEAR(joint_of(run, "press").rows.front().pressure, 0.5e6, 1e-4);
+  }
+}
+
+bool stands(const std::string& name, const ParameterValues& set) {
+  try {
+    run_scene(scene(name), set);
+    return true;
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("do not hold a body"), std::string::npos) << error.what();
+    return false;
+  }
+}
+
+TEST(Incline, a_block_sticks_and_slides_at_the_angle_of_friction) {
+  for (const char* enforce : {"lagrange", "augmented_lagrange", "penalty"}) {
+    EXPECT_TRUE(stands("incline", {{"slope", "29.995"}, {"enforce", enforce}})) << enforce;
+    EXPECT_FALSE(stands("incline", {{"slope", "30.005"}, {"enforce", enforce}})) << enforce;
+  }
+}
+
+// The weight's line leaves the base of a block three times as high as wide at atan 1/3 = 18.435°.
+TEST(Incline, a_high_block_topples_where_its_weight_leaves_the_base) {
+  EXPECT_TRUE(stands("incline", {{"height", "3.0"}, {"friction_angle", "40.0"}, {"slope", "18.43"}}));
+  EXPECT_FALSE(stands("incline", {{"height", "3.0"}, {"friction_angle", "40.0"}, {"slope", "18.44"}}));
+}
+
+// Four blocks, each shifted by d: the upper three lean on the first as long as 1/2 + 2 d ≤ 1.
+TEST(Stack, blocks_stand_on_each_other_to_the_last_and_fall_beyond) {
+  const SceneRun run = run_scene(scene("stack"), {{"shift", "0.1"}});
+  for (int bed = 0; bed < 4; ++bed) {
+    const double above = (4 - bed) * 0.5 * 25e3;
+    EXPECT_NEAR(joint_of(run, "weight", bed).normal_force, above, 1e-9 * above);
+  }
+  EXPECT_TRUE(stands("stack", {{"shift", "0.245"}}));
+  EXPECT_FALSE(stands("stack", {{"shift", "0.255"}}));
+}
+
+// Couplet's arch: a semicircle thinner than 0.1075 of its radius folds (Heyman, The Masonry Arch, 1982).
+TEST(Arch, wedges_stand_by_pressure_and_friction_unless_they_are_too_thin_or_too_smooth) {
+  const SceneRun run = run_scene(scene("arch"));
+  const auto& balance = run.stage("weight").balance;
+  EXPECT_LT(balance.relative_error, 1e-10);
+  EXPECT_TRUE(stands("arch", {{"thickness", "0.11"}}));
+  EXPECT_FALSE(stands("arch", {{"thickness", "0.1"}}));
+  EXPECT_FALSE(stands("arch", {{"friction_angle", "10.0"}}));
+}
+
+// An infinite medium; the square is 40 m wide, the crack 2 m long.
+TEST(Crack, a_closed_inclined_crack_slips_as_the_closed_form_says) {
+  const SceneRun run = run_scene(scene("crack"), {{"order", "2"}, {"fine", "0.02"}});
+  const JointResult& crack = joint_of(run, "load");
+  const double e = 25e9, nu = 0.25, sn = std::sin(20 * degree), cs = std::cos(20 * degree);
+  const double normal = 100e6 * sn * sn, shear = 100e6 * sn * cs - normal * std::tan(30 * degree);
+  EXPECT_NEAR(normal, 11.698e6, 1e3);
+  double worst = 0, pressure = 0, length = 0;
+  for (const auto& row : crack.rows) {
+    const double x = row.s - 1;  // from the middle
+    const double slip = 4 * (1 - nu * nu) / e * shear * std::sqrt(std::max(0.0, 1 - x * x));
+    worst = std::max(worst, std::abs(std::abs(row.slip) - slip));
+    if (std::abs(x) < 0.8) pressure += row.pressure, length += 1;
+  }
+  std::printf("crack: slip %.4f mm (3.808), worst difference %.2f %%, t_N %.3f MPa (11.698)\n",
+              1e3 * crack.max_slip, 100 * worst / 3.808e-3, 1e-6 * pressure / length);
+  EXPECT_LT(worst, 0.02 * 3.808e-3);
+  EXPECT_NEAR(crack.max_slip, 3.808e-3, 0.01 * 3.808e-3);
+  EXPECT_NEAR(pressure / length, normal, 0.02 * normal);
+}
+
+TEST(Crack, pressure_inside_opens_it_as_sneddon_says) {
+  const SceneRun run = run_scene(scene("crack"), {{"case", "open"}, {"order", "2"}, {"fine", "0.05"}});
+  const JointResult& crack = joint_of(run, "load");
+  const double opening = 4 * (1 - 0.25 * 0.25) * 2e6 / 25e9;
+  std::printf("pressed crack: opening %.4f mm (%.4f)\n", 1e3 * crack.max_opening, 1e3 * opening);
+  EXPECT_NEAR(crack.max_opening, opening, 0.005 * opening);
+  EXPECT_NEAR(crack.water_force, 2e6 * 2, 1e-6 * 4e6);
+  EXPECT_EQ(crack.closed, 0);
+}
+
+}  // namespace
+}  // namespace ashlar::test
