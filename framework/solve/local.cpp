@@ -140,7 +140,9 @@ class Search {
     for (int number = 1; number <= most; ++number) {
       const std::vector<std::int8_t> before = terms_.status(state_);
       if (!visited_.insert(before).second && !break_cycle())
-        return loosened_ ? not_held() : LocalResult{false, false, name_cycle(terms_, state_, flipping_)};
+        return loosened_ ? not_held()
+                         : LocalResult{false, false,
+                                       name_cycle(terms_, state_, good_ != before ? good_ : flipping_)};
       residual_ = solve_fixed_status();
       if (residual_ < 0) {
         loosened_ = true;

@@ -64,8 +64,8 @@ std::vector<ContactPoint> NodeInsertion::pair(const model::Model& model, const m
     ContactPoint point = pair_nodes(lips, part, *master);
     if (!point.shares.empty()) append(points, std::move(point));
   }
-  // Inserted points stand at any distance: stiffnesses by each point's own edges would make a uniform pressure
-  // penetrate unevenly.
+  // Inserted points stand at any distance: stiffnesses by each point's own edges would make a uniform
+  // pressure penetrate unevenly.
   double total = 0;
   for (const LipEdge& edge : lips.slave()) total += lips.length(edge);
   for (ContactPoint& point : points) point.h = total / static_cast<double>(lips.slave().size());
