@@ -4,7 +4,8 @@ local loading = param { "loading", default = "flat_top", choices = { "flat_top",
                         doc = "a lower half disc under an even load, or a full disc under a load near its pole" }
 local cells   = param { "cells", default = 600, choices = { 389, 600, 1155 }, doc = "about so many, as in the paper" }
 local shape   = param { "shape", default = "quads", choices = { "quads", "triangles" }, doc = "of the cells" }
-local pairing = param { "pairing", default = "mortar", choices = { "mortar", "node_to_segment" },
+local order   = param { "order", default = 1, choices = { 1, 2, 3 }, doc = "of the virtual elements" }
+local pairing = param { "pairing", default = "mortar", choices = { "mortar", "node_insertion", "node_to_segment" },
                         doc = "how the bodies find each other" }
 local enforce = param { "enforce", default = "lagrange", choices = { "lagrange", "penalty" },
                         doc = "how penetration is prevented" }
@@ -31,8 +32,7 @@ local discs = {
                    {facet.x,facet.y,"load"}, {0,facet.y,"axis"}, material = soft },
 }
 local width = loading == "pole" and facet.x or R
--- Contact acts along the block's normal: it is a thousand times as stiff and stays flat, the disc turns to it.
-local slaves = { mortar = "block", node_to_segment = "disc" }
+local slaves = { mortar = "block", node_insertion = "disc", node_to_segment = "disc" }
 local enforcements = { lagrange = contact.lagrange {}, penalty = contact.penalty { factor = factor } }
 
 return Scene {
@@ -47,7 +47,7 @@ return Scene {
   },
   mesh = mesh.gmsh { size = coarse, cells = shape, grading = grading,
                      refine = { { at = {0,R}, size = fine, radius = 1.6*u.m } } },
-  element = "vem",
+  element = "vem", order = order,
   supports = { ["block.bottom"] = "xy", ["block.axis"] = "x", ["disc.axis"] = "x" },
   stages = { Stage { "press", tractions = { ["disc.load"] = { y = -F/width } } } },
   outputs = { fields = { "displacement", "stress" } },

@@ -33,11 +33,12 @@ std::string at_text(Point at) {
 }
 
 void check_overlap(const JointContact& joint, const core::Place& place, core::Mistakes& mistakes) {
-  const auto deepest = std::ranges::min_element(joint.points, {}, &ContactPoint::gap);
-  if (deepest == joint.points.end() || deepest->gap >= 0) return;
+  const auto deepest = std::ranges::max_element(joint.points, {}, &ContactPoint::overlap);
+  if (deepest == joint.points.end() || deepest->overlap <= 0) return;
   const std::string words = "the bodies of joint '" + joint.name + "' overlap at the start by " +
-                            core::format_quantity(-deepest->gap, {1, 0, 0}) + " at " + at_text(deepest->at);
-  if (-deepest->gap > overlap_allowed * deepest->h)
+                            core::format_quantity(deepest->overlap, {1, 0, 0}) + " at " +
+                            at_text(deepest->at);
+  if (deepest->overlap > overlap_allowed * deepest->h)
     mistakes.add(place, words, "draw them apart, or so that they just touch");
   else
     core::log().warning(words + ": the first stage presses it out");

@@ -27,6 +27,7 @@ struct ContactPoint {
   Point
       tangent;  ///< unit vector along which slip is that of the first lip against the second, along the path
   double gap = 0;      ///< before loading [m]
+  double overlap = 0;  ///< deepest place nearby where the bodies overlap before loading [m]
   double length = 0;   ///< of the slave lip that it stands for [m]
   double area = 0;     ///< by which its tractions become forces [m²]
   double weight = 1;   ///< area over what the point truly stands for: 1, but for the paper's equal weights

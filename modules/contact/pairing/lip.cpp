@@ -33,6 +33,12 @@ Point Lips::normal(const LipEdge& edge) const {
   return (-1 / geometry::norm(d)) * geometry::left_of(d);
 }
 
+// n ∝ E'_m n_m − E'_s n_s
+Point Lips::contact_normal(const LipEdge& slave, const LipEdge& master) const {
+  const Point n = modulus(master) * normal(master) - modulus(slave) * normal(slave);
+  return (1 / geometry::norm(n)) * n;
+}
+
 Point Lips::slip_direction(const LipEdge& edge) const {
   const Point d = at(edge.to) - at(edge.from);
   return ((slave_number_ == 0 ? 1 : -1) / geometry::norm(d)) * d;
@@ -130,8 +136,9 @@ std::vector<SlavePart> slave_parts(const Lips& lips) {
 ContactPoint begin_point(const Lips& lips, const SlavePart& part, const LipEdge& master) {
   ContactPoint point;
   point.slave = lips.slave_number();
-  point.normal = lips.normal(master);
-  point.tangent = lips.slip_direction(master);
+  point.normal = lips.contact_normal(*part.edge, master);
+  const Point across = geometry::left_of(point.normal);
+  point.tangent = (geometry::dot(across, lips.slip_direction(master)) < 0 ? -1 : 1) * across;
   point.length = part.length;
   point.area = part.area;
   point.modulus = std::min(lips.modulus(*part.edge), lips.modulus(master));

@@ -36,6 +36,9 @@ class Lips {
   }
   /// Outward unit normal: border edges have their body on the left.
   Point normal(const mesh::LipEdge& edge) const;
+  /// The direction that pressure acts along where these edges meet, outward of the master: between both
+  /// normals, nearer to that of the stiffer body, to which the softer one turns.
+  Point contact_normal(const mesh::LipEdge& slave, const mesh::LipEdge& master) const;
   /// Unit vector along which slip is that of the first lip against the second: along the path for a jump of
   /// the first lip against the second, against it for one of the second.
   Point slip_direction(const mesh::LipEdge& edge) const;

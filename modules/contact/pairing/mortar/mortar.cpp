@@ -75,7 +75,8 @@ struct EdgeSums {
   Eigen::MatrixXd mass;               ///< ∫ φ_i φ_j ds
   std::vector<std::map<Index, std::pair<double, Point>>> master;  ///< ∫ ψ_i N_j ds by master dof
   Eigen::MatrixXd slave;                                          ///< ∫ ψ_i φ_j ds
-  double covered = 0, modulus = INFINITY;
+  Eigen::Matrix2Xd normal;                                        ///< ∫ ψ n ds, n: outward of the master
+  double covered = 0, modulus = INFINITY, overlap = 0;
 };
 
 /// One integration point of a segment.
@@ -111,11 +112,18 @@ Eigen::Map<const Eigen::VectorXd> vector(const std::vector<double>& list) {
   return {list.data(), static_cast<Index>(list.size())};
 }
 
-/// ψ = C φ with ∫ ψ_i φ_j = δ_ij ∫ φ_i over the covered part.
-Eigen::MatrixXd dual_functions(const EdgeSums& sums, double length) {
-  const Index count = sums.length.size();
-  if (sums.covered < least_cover * length) return Eigen::MatrixXd::Identity(count, count);
-  return sums.length.asDiagonal() * sums.mass.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
+/// ψ = C φ with ∫ ψ_i φ_j = δ_ij ∫ φ_i. On an edge that faces the other lip in part, these might have no or a
+/// negative weight: the linear functions of its ends serve, ψ = 1 − t and t.
+Eigen::MatrixXd multipliers(const EdgeSums& sums, const std::vector<TraceNode>& nodes, double length) {
+  const auto count = static_cast<Index>(nodes.size());
+  if (sums.covered > (1 - nothing) * length)
+    return sums.length.asDiagonal() * sums.mass.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
+  Eigen::MatrixXd psi = Eigen::MatrixXd::Zero(count, count);
+  for (Index j = 0; j < count; ++j) {
+    psi(0, j) = 1 - nodes[static_cast<std::size_t>(j)].t;
+    psi(count - 1, j) = nodes[static_cast<std::size_t>(j)].t;
+  }
+  return psi;
 }
 
 /// A function of a welded tip has no multiplier: its neighbour takes it over, so that all still sum to 1.
@@ -142,6 +150,7 @@ EdgeSums integrate(const Lips& lips, const LipEdge& slave) {
   EdgeSums sums;
   sums.length = sums.area = sums.gap = Eigen::VectorXd::Zero(count);
   sums.mass = sums.slave = Eigen::MatrixXd::Zero(count, count);
+  sums.normal = Eigen::Matrix2Xd::Zero(2, count);
   sums.master.resize(nodes.size());
   for (const At& at : points) {
     const auto phi = vector(at.slave);
@@ -150,14 +159,17 @@ EdgeSums integrate(const Lips& lips, const LipEdge& slave) {
     sums.mass += at.weight * phi * phi.transpose();
   }
   if (points.empty() || sums.covered < nothing * lips.length(slave)) return {};
-  Eigen::MatrixXd psi = dual_functions(sums, lips.length(slave));
+  Eigen::MatrixXd psi = multipliers(sums, nodes, lips.length(slave));
   leave_out_tips(lips, nodes, points, psi);
   sums.length.setZero();
   for (const At& at : points) {
     const Eigen::VectorXd own = at.weight * (psi * vector(at.slave));
     sums.length += own;
     sums.area += at.depth * own;
+    const Point n = lips.contact_normal(slave, *at.edge);
+    sums.normal += Eigen::Vector2d(n.x, n.y) * own.transpose();
     sums.gap += at.gap * own;
+    sums.overlap = std::max(sums.overlap, -at.gap);
     sums.slave += own * vector(at.slave).transpose();
     sums.modulus = std::min({sums.modulus, lips.modulus(slave), lips.modulus(*at.edge)});
     const std::vector<TraceNode> there = lips.nodes(*at.edge);
@@ -195,9 +207,10 @@ class Stretch {
       own.point.length += sums.length[row];
       own.point.area += sums.area[row];
       own.gap += sums.gap[row];
-      own.across = own.across + sums.length[row] * lips_.normal(edge);
+      own.across = own.across + Point{sums.normal(0, row), sums.normal(1, row)};
       own.along = own.along + sums.length[row] * lips_.slip_direction(edge);
       own.point.modulus = std::min(own.point.modulus, sums.modulus);
+      own.point.overlap = std::max(own.point.overlap, sums.overlap);
       for (std::size_t j = 0; j < nodes.size(); ++j)
         add_share(own, nodes[j].dof, sums.slave(row, static_cast<Index>(j)), nodes[j].at);
       for (const auto& [dof, part] : sums.master[i]) add_share(own, dof, -part.first, part.second);
@@ -210,14 +223,16 @@ class Stretch {
       ContactPoint& point = own.point;
       point.gap = own.gap / point.length;
       if (std::abs(point.gap) < same_place * point.length) point.gap = 0;
+      if (point.overlap < same_place * point.length) point.overlap = 0;
       const Index slave = node_[static_cast<std::size_t>(&own - list_.data())];
       // The node itself comes first.
       for (const bool first : {true, false})
         for (const auto& [dof, part] : own.share)
           if ((dof == slave) == first && std::abs(part.first) > 1e-14 * point.length)
             point.shares.push_back({dof, part.first / point.length, part.second});
-      point.normal = (-1 / geometry::norm(own.across)) * own.across;
-      point.tangent = (1 / geometry::norm(own.along)) * own.along;
+      point.normal = (1 / geometry::norm(own.across)) * own.across;
+      const Point across = geometry::left_of(point.normal);
+      point.tangent = (geometry::dot(across, own.along) < 0 ? -1 : 1) * across;
       points.push_back(std::move(point));
     }
   }

@@ -1,5 +1,6 @@
 #include "contact/pairing/node_insertion/node_insertion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -42,6 +43,7 @@ ContactPoint pair_nodes(const Lips& lips, const SlavePart& part, const LipEdge& 
   point.gap =
       geometry::dot(point.normal, lips.surface(*part.edge, part.node.at) - lips.surface(master, there.at));
   if (std::abs(point.gap) < same_place * lips.length(master)) point.gap = 0;
+  point.overlap = std::max(0.0, -point.gap);
   if (there.dof != part.node.dof)
     point.shares = {{part.node.dof, 1, part.node.at}, {there.dof, -1, there.at}};
   return point;

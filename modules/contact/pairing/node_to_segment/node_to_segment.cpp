@@ -35,6 +35,7 @@ std::optional<ContactPoint> project(const Lips& lips, const SlavePart& part) {
   point.gap =
       geometry::dot(point.normal, lips.surface(*part.edge, x_s) - lips.surface(*master, x_m + xi * edge));
   if (std::abs(point.gap) < same_place * l) point.gap = 0;
+  point.overlap = std::max(0.0, -point.gap);
   std::vector<ContactPoint::Share> shares = {{part.node.dof, 1, x_s}};
   std::vector<double> shape;
   lips.shape(*master, xi, shape);
