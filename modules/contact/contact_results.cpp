@@ -37,7 +37,7 @@ JointResult::Row::State state_of(Status status) {
 void add_force(const ContactPoint& point, const PointMemory& memory, model::Resultant& sum) {
   const Point on_slave = point.area * (memory.pressure * point.normal - memory.shear * point.tangent);
   for (const ContactPoint::Share& share : point.shares) {
-    if ((share.factor > 0) != (point.slave == 0)) continue;
+    if (share.slave != (point.slave == 0)) continue;
     const Point on_first = share.factor * on_slave;
     sum.x += on_first.x;
     sum.y += on_first.y;

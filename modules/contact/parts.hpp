@@ -17,9 +17,10 @@ using geometry::Point;
 /// is gap + normal · J and the slip tangent · J.
 struct ContactPoint {
   struct Share {
-    Index dof = -1;     ///< the first of a node's two
-    double factor = 0;  ///< positive on the slave lip, negative on the master
-    Point at;           ///< the node's place
+    Index dof = -1;      ///< the first of a node's two
+    double factor = 0;   ///< sums to 1 on the slave lip, to −1 on the master
+    Point at;            ///< the node's place
+    bool slave = false;  ///< on the slave lip
   };
   std::vector<Share> shares;
   int slave = 0;  ///< the lip that it stands on

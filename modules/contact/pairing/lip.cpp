@@ -14,7 +14,7 @@ using mesh::LipEdge;
 
 namespace {
 
-constexpr double opposite = -0.5;
+constexpr double face_to_face = -0.5;
 // Normals (as distance of unit vectors) within 30°: chords of a curve, not a corner of the joint.
 constexpr double smooth = 0.52;
 
@@ -39,13 +39,18 @@ Point Lips::contact_normal(const LipEdge& slave, const LipEdge& master) const {
   return (1 / geometry::norm(n)) * n;
 }
 
+double Lips::opposite(const LipEdge& slave, const LipEdge& master, Point place) const {
+  const Point n = contact_normal(slave, master), x = at(master.from), d = at(master.to) - x;
+  return geometry::cross(place - x, n) / geometry::cross(d, n);
+}
+
 Point Lips::slip_direction(const LipEdge& edge) const {
   const Point d = at(edge.to) - at(edge.from);
   return ((slave_number_ == 0 ? 1 : -1) / geometry::norm(d)) * d;
 }
 
 bool Lips::facing(const LipEdge& slave, const LipEdge& master) const {
-  return geometry::dot(normal(master), normal(slave)) <= opposite;
+  return geometry::dot(normal(master), normal(slave)) <= face_to_face;
 }
 
 // An edge's own nodes are numbered in the sense of its cell, which may run against the path.
@@ -113,12 +118,32 @@ void add_parts(const Lips& lips, const LipEdge& edge, int piece, std::vector<Sla
   }
 }
 
-bool same_jump(const ContactPoint& a, const ContactPoint& b) {
+/// Both halves of a node stand on one stretch: its partner is the same, or where bodies were meshed apart,
+/// near it.
+bool same_point(const ContactPoint& a, const ContactPoint& b, bool apart) {
+  if (geometry::distance(a.normal, b.normal) >= smooth || a.shares[0].dof != b.shares[0].dof) return false;
+  if (apart) return true;
   if (a.shares.size() != b.shares.size()) return false;
   for (std::size_t i = 0; i < a.shares.size(); ++i)
     if (a.shares[i].dof != b.shares[i].dof || std::abs(a.shares[i].factor - b.shares[i].factor) > same_place)
       return false;
-  return geometry::distance(a.normal, b.normal) < smooth;
+  return true;
+}
+
+/// The mean jump of both halves, by their lengths.
+void merge_shares(ContactPoint& one, const ContactPoint& other) {
+  const double all = one.length + other.length;
+  for (ContactPoint::Share& share : one.shares) share.factor *= one.length / all;
+  for (const ContactPoint::Share& share : other.shares) {
+    const auto found = std::ranges::find(one.shares, share.dof, &ContactPoint::Share::dof);
+    const double factor = share.factor * other.length / all;
+    if (found == one.shares.end())
+      one.shares.push_back({share.dof, factor, share.at, share.slave});
+    else
+      found->factor += factor;
+  }
+  one.gap = (one.length * one.gap + other.length * other.gap) / all;
+  one.overlap = std::max(one.overlap, other.overlap);
 }
 
 }  // namespace
@@ -150,12 +175,13 @@ ContactPoint begin_point(const Lips& lips, const SlavePart& part, const LipEdge&
 
 // On a curve the normal is that of both parts' pressure, L n = L₁ n₁ + L₂ n₂, so that a uniform pressure
 // stays in balance.
-void append(std::vector<ContactPoint>& points, ContactPoint point) {
-  if (points.empty() || !same_jump(points.back(), point)) {
+void append(const Lips& lips, std::vector<ContactPoint>& points, ContactPoint point) {
+  if (points.empty() || !same_point(points.back(), point, lips.apart())) {
     points.push_back(std::move(point));
     return;
   }
   ContactPoint& one = points.back();
+  if (lips.apart()) merge_shares(one, point);
   const Point along = one.length * one.tangent + point.length * point.tangent;
   const Point across = one.length * one.normal + point.length * point.normal;
   one.area = (one.area + point.area) * geometry::norm(across) / (one.length + point.length);

@@ -25,6 +25,8 @@ class Lips {
   const std::vector<mesh::LipEdge>& slave() const { return slave_; }
   const std::vector<mesh::LipEdge>& master() const { return master_; }
   int slave_number() const { return slave_number_; }
+  /// Lips of bodies that were meshed apart.
+  bool apart() const { return apart_; }
   Point at(Index point) const { return model_.mesh.points[point]; }
   double length(const mesh::LipEdge& edge) const { return geometry::distance(at(edge.from), at(edge.to)); }
   Point place(const mesh::LipEdge& edge, double t) const {
@@ -39,6 +41,9 @@ class Lips {
   /// The direction that pressure acts along where these edges meet, outward of the master: between both
   /// normals, nearer to that of the stiffer body, to which the softer one turns.
   Point contact_normal(const mesh::LipEdge& slave, const mesh::LipEdge& master) const;
+  /// Where the line through `place` along that direction meets the master edge: 0 … 1 on it. Forces on both
+  /// lips are then on one line.
+  double opposite(const mesh::LipEdge& slave, const mesh::LipEdge& master, Point place) const;
   /// Unit vector along which slip is that of the first lip against the second: along the path for a jump of
   /// the first lip against the second, against it for one of the second.
   Point slip_direction(const mesh::LipEdge& edge) const;
@@ -77,7 +82,7 @@ ContactPoint begin_point(const Lips& lips, const SlavePart& part, const mesh::Li
 
 /// Appends the point of one part: both parts of a node on a straight or curved lip become one contact point;
 /// at a corner they stay two.
-void append(std::vector<ContactPoint>& points, ContactPoint point);
+void append(const Lips& lips, std::vector<ContactPoint>& points, ContactPoint point);
 
 /// Lengths of the slave's edges at its nodes: h is their mean.
 void set_sizes(const Lips& lips, std::vector<ContactPoint>& points);

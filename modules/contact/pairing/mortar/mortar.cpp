@@ -19,9 +19,6 @@ using mesh::LipEdge;
 
 // Edges whose normals differ by more than 30° (as distance of unit vectors) are a corner of the lip.
 constexpr double smooth = 0.52;
-// Of an edge that faces the other lip on a smaller share, dual functions would be badly conditioned: its
-// standard ones serve.
-constexpr double least_cover = 0.05;
 // A share of an edge that is rounding, not a segment.
 constexpr double nothing = 1e-9;
 
@@ -30,12 +27,6 @@ struct Segment {
   double from = 0, to = 0;  ///< on the slave edge
   const LipEdge* master = nullptr;
 };
-
-/// Where the line through `place` across the slave edge meets the master edge.
-double master_place(const Lips& lips, const LipEdge& slave, const LipEdge& master, Point place) {
-  const Point n = lips.normal(slave), x = lips.at(master.from), d = lips.at(master.to) - x;
-  return geometry::cross(place - x, n) / geometry::cross(d, n);
-}
 
 std::vector<Segment> segments(const Lips& lips, const LipEdge& slave) {
   const Point x = lips.at(slave.from), d = lips.at(slave.to) - x;
@@ -59,7 +50,7 @@ std::vector<Segment> segments(const Lips& lips, const LipEdge& slave) {
     const LipEdge* nearest = nullptr;
     double least = INFINITY;
     for (const LipEdge* master : masters) {
-      const double t = master_place(lips, slave, *master, middle);
+      const double t = lips.opposite(slave, *master, middle);
       if (t < -nothing || t > 1 + nothing) continue;
       const double away = geometry::distance(lips.place(*master, t), middle);
       if (away < least) nearest = master, least = away;
@@ -93,15 +84,15 @@ std::vector<At> integration_points(const Lips& lips, const LipEdge& slave, const
     for (std::size_t q = 0; q < rule.at.size(); ++q) {
       const double t = segment.from + rule.at[q] * (segment.to - segment.from);
       const Point place = lips.place(slave, t);
-      const double on_master = std::clamp(master_place(lips, slave, *segment.master, place), 0.0, 1.0);
+      const double on_master = std::clamp(lips.opposite(slave, *segment.master, place), 0.0, 1.0);
       At& at = points.emplace_back();
       at.weight = rule.weight[q] * (segment.to - segment.from) * lips.length(slave);
       at.depth = lips.model().depth(place);
       at.edge = segment.master;
-      // g = n·(x_s − x_m), n: outward of the master, here against the slave's.
+      // g = n·(x_s − x_m), n: outward of the master
       const Point there = lips.place(*segment.master, on_master);
-      at.gap = -geometry::dot(lips.normal(slave),
-                              lips.surface(slave, place) - lips.surface(*segment.master, there));
+      at.gap = geometry::dot(lips.contact_normal(slave, *segment.master),
+                             lips.surface(slave, place) - lips.surface(*segment.master, there));
       lips.shape(slave, t, at.slave);
       lips.shape(*segment.master, on_master, at.master);
     }
@@ -186,7 +177,7 @@ EdgeSums integrate(const Lips& lips, const LipEdge& slave) {
 /// Sums over all edges of a smooth stretch of the lip, by slave node.
 struct Gathered {
   ContactPoint point;
-  std::map<Index, std::pair<double, Point>> share;  ///< ∫ ψ (slave − master)
+  std::map<Index, ContactPoint::Share> share;  ///< by dof: ∫ ψ (slave − master)
   Point across, along;
   double gap = 0;
 };
@@ -212,8 +203,8 @@ class Stretch {
       own.point.modulus = std::min(own.point.modulus, sums.modulus);
       own.point.overlap = std::max(own.point.overlap, sums.overlap);
       for (std::size_t j = 0; j < nodes.size(); ++j)
-        add_share(own, nodes[j].dof, sums.slave(row, static_cast<Index>(j)), nodes[j].at);
-      for (const auto& [dof, part] : sums.master[i]) add_share(own, dof, -part.first, part.second);
+        add_share(own, {nodes[j].dof, sums.slave(row, static_cast<Index>(j)), nodes[j].at, true});
+      for (const auto& [dof, part] : sums.master[i]) add_share(own, {dof, -part.first, part.second, false});
     }
     return true;
   }
@@ -228,8 +219,8 @@ class Stretch {
       // The node itself comes first.
       for (const bool first : {true, false})
         for (const auto& [dof, part] : own.share)
-          if ((dof == slave) == first && std::abs(part.first) > 1e-14 * point.length)
-            point.shares.push_back({dof, part.first / point.length, part.second});
+          if ((dof == slave) == first && std::abs(part.factor) > 1e-14 * point.length)
+            point.shares.push_back({dof, part.factor / point.length, part.at, part.slave});
       point.normal = (1 / geometry::norm(own.across)) * own.across;
       const Point across = geometry::left_of(point.normal);
       point.tangent = (geometry::dot(across, own.along) < 0 ? -1 : 1) * across;
@@ -238,10 +229,9 @@ class Stretch {
   }
 
  private:
-  static void add_share(Gathered& own, Index dof, double factor, Point place) {
-    auto& [sum, at] = own.share[dof];
-    sum += factor;
-    at = place;
+  static void add_share(Gathered& own, const ContactPoint::Share& part) {
+    own.share.try_emplace(part.dof, ContactPoint::Share{part.dof, 0, part.at, part.slave})
+        .first->second.factor += part.factor;
   }
 
   Gathered& at(const LipEdge& edge, const TraceNode& node) {

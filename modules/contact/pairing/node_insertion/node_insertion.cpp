@@ -45,7 +45,7 @@ ContactPoint pair_nodes(const Lips& lips, const SlavePart& part, const LipEdge& 
   if (std::abs(point.gap) < same_place * lips.length(master)) point.gap = 0;
   point.overlap = std::max(0.0, -point.gap);
   if (there.dof != part.node.dof)
-    point.shares = {{part.node.dof, 1, part.node.at}, {there.dof, -1, there.at}};
+    point.shares = {{part.node.dof, 1, part.node.at, true}, {there.dof, -1, there.at, false}};
   return point;
 }
 
@@ -64,7 +64,7 @@ std::vector<ContactPoint> NodeInsertion::pair(const model::Model& model, const m
       continue;
     }
     ContactPoint point = pair_nodes(lips, part, *master);
-    if (!point.shares.empty()) append(points, std::move(point));
+    if (!point.shares.empty()) append(lips, points, std::move(point));
   }
   // Inserted points stand at any distance: stiffnesses by each point's own edges would make a uniform
   // pressure penetrate unevenly.

@@ -25,9 +25,10 @@ std::optional<ContactPoint> project(const Lips& lips, const SlavePart& part) {
   if (!master) return {};
   const Point x_m = lips.at(master->from), edge = lips.at(master->to) - x_m;
   const double l = geometry::norm(edge);
-  // ξ = (x_{m+1} − x_m)·(x_s − x_m)/l²
+  // ξ = (x_{m+1} − x_m)·(x_s − x_m)/l² where lips touch; across a gap, along the direction of pressure.
   double xi = geometry::dot(edge, x_s - x_m) / (l * l);
   if (xi < -beyond_edge || xi > 1 + beyond_edge) return {};
+  if (lips.apart()) xi = std::clamp(lips.opposite(*part.edge, *master, x_s), 0.0, 1.0);
   for (const TraceNode& node : lips.nodes(*master))
     if (std::abs(xi - node.t) < same_place) xi = node.t;
   ContactPoint point = begin_point(lips, part, *master);
@@ -36,14 +37,14 @@ std::optional<ContactPoint> project(const Lips& lips, const SlavePart& part) {
       geometry::dot(point.normal, lips.surface(*part.edge, x_s) - lips.surface(*master, x_m + xi * edge));
   if (std::abs(point.gap) < same_place * l) point.gap = 0;
   point.overlap = std::max(0.0, -point.gap);
-  std::vector<ContactPoint::Share> shares = {{part.node.dof, 1, x_s}};
+  std::vector<ContactPoint::Share> shares = {{part.node.dof, 1, x_s, true}};
   std::vector<double> shape;
   lips.shape(*master, xi, shape);
   const std::vector<TraceNode> nodes = lips.nodes(*master);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (std::abs(shape[i]) < same_place) continue;
     if (nodes[i].dof == part.node.dof) return point;  // welded
-    shares.push_back({nodes[i].dof, -shape[i], nodes[i].at});
+    shares.push_back({nodes[i].dof, -shape[i], nodes[i].at, false});
   }
   point.shares = std::move(shares);
   return point;
@@ -89,7 +90,7 @@ std::vector<ContactPoint> NodeToSegment::pass(const model::Model& model, const m
     if (!point)
       ++beyond;
     else if (!point->shares.empty())
-      append(points, std::move(*point));
+      append(lips, points, std::move(*point));
   }
   set_sizes(lips, points);
   if (weight_ == Weight::equal) make_equal(lips, parts, points);
