@@ -127,6 +127,10 @@ class LocalTerm : public Term {
   /// Ascending dofs that it touches, held ones included.
   virtual std::span<const Index> touched() const = 0;
   virtual const Jumps& jumps() const = 0;
+  /// Whether points move along each other: then forces act where they are, not where they were drawn.
+  virtual bool follows() const { return false; }
+  /// Makes the jumps anew where points have moved by the trial state; true if it did.
+  virtual bool follow(fields::State&) { return false; }
   /// Jumps and tractions for the trial status.
   virtual void respond(const fields::State& state, std::span<const double> unknown,
                        JumpResponse& response) const = 0;
@@ -164,7 +168,7 @@ struct Terms {
   std::vector<std::shared_ptr<const Load>> loads;
   std::vector<std::shared_ptr<const Stiffness>> stiffness;
   std::vector<std::shared_ptr<const Nonlinear>> nonlinear;
-  std::vector<std::shared_ptr<const LocalTerm>> local;
+  std::vector<std::shared_ptr<LocalTerm>> local;
 };
 
 }  // namespace ashlar::model

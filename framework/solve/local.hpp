@@ -50,8 +50,7 @@ class Condensed {
 class LocalTerms {
  public:
   LocalTerms() = default;
-  LocalTerms(std::vector<std::shared_ptr<const model::LocalTerm>> terms,
-             const model::Constraints& constraints);
+  LocalTerms(std::vector<std::shared_ptr<model::LocalTerm>> terms, const model::Constraints& constraints);
 
   bool empty() const { return terms_.empty(); }
   /// The effect that the time of the iteration is booked on.
@@ -89,12 +88,16 @@ class LocalTerms {
   /// The bulk as the jumps feel it, made when it is first asked for after `bulk_changed`.
   const Condensed& condensed(const Bulk& bulk);
   void bulk_changed() { condensed_.reset(); }
+  /// Points that move along each other are paired anew where the trial state has them. True if there are any.
+  bool follow(fields::State& state);
   /// True if these serve a stage with such terms and dofs.
-  bool serves(const std::vector<std::shared_ptr<const model::LocalTerm>>& terms,
+  bool serves(const std::vector<std::shared_ptr<model::LocalTerm>>& terms,
               const model::Constraints& constraints) const;
 
  private:
-  std::vector<std::shared_ptr<const model::LocalTerm>> terms_;
+  void gather_jumps();
+
+  std::vector<std::shared_ptr<model::LocalTerm>> terms_;
   std::vector<Index> first_;               ///< by term: its first component; then their number
   std::vector<std::vector<Index>> place_;  ///< by term: positions of its dofs in touched_
   std::vector<Index> touched_, free_;

@@ -7,20 +7,29 @@ namespace ashlar::solve {
 
 using model::JumpResponse;
 
-LocalTerms::LocalTerms(std::vector<std::shared_ptr<const model::LocalTerm>> terms,
+LocalTerms::LocalTerms(std::vector<std::shared_ptr<model::LocalTerm>> terms,
                        const model::Constraints& constraints)
     : terms_(std::move(terms)), held_(constraints.held) {
   for (const auto& term : terms_)
     touched_.insert(touched_.end(), term->touched().begin(), term->touched().end());
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  first_.push_back(0);
-  std::vector<double> area, ground, initial;
   for (const auto& term : terms_) {
     std::vector<Index>& place = place_.emplace_back();
     for (const Index dof : term->touched())
       place.push_back(
           static_cast<Index>(std::lower_bound(touched_.begin(), touched_.end(), dof) - touched_.begin()));
+  }
+  for (std::size_t i = 0; i < touched_.size(); ++i)
+    if (!constraints.held[touched_[i]]) free_.push_back(static_cast<Index>(i));
+  gather_jumps();
+}
+
+void LocalTerms::gather_jumps() {
+  first_ = {0};
+  blocks_.clear();
+  std::vector<double> area, ground, initial;
+  for (const auto& term : terms_) {
     const model::Jumps& jumps = term->jumps();
     for (Index i = 0; i < jumps.size(); i += jumps.width) blocks_.push_back({first_.back() + i, jumps.width});
     area.insert(area.end(), jumps.area.begin(), jumps.area.end());
@@ -32,11 +41,18 @@ LocalTerms::LocalTerms(std::vector<std::shared_ptr<const model::LocalTerm>> term
     return Eigen::Map<const Eigen::VectorXd>(list.data(), static_cast<Index>(list.size()));
   };
   area_ = vector(area), ground_ = vector(ground), initial_ = vector(initial);
-  for (std::size_t i = 0; i < touched_.size(); ++i)
-    if (!constraints.held[touched_[i]]) free_.push_back(static_cast<Index>(i));
 }
 
-bool LocalTerms::serves(const std::vector<std::shared_ptr<const model::LocalTerm>>& terms,
+bool LocalTerms::follow(fields::State& state) {
+  bool moved = false;
+  for (const auto& term : terms_) moved |= term->follow(state);
+  if (!moved) return false;
+  gather_jumps();
+  condensed_.reset();
+  return true;
+}
+
+bool LocalTerms::serves(const std::vector<std::shared_ptr<model::LocalTerm>>& terms,
                         const model::Constraints& constraints) const {
   return terms == terms_ && constraints.held == held_;
 }

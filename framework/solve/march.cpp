@@ -174,7 +174,7 @@ class March {
         const double end = ready.constraints.at_value[dof] ? ready.constraints.value[dof] : from[dof];
         prescribed[dof] = to == 1 ? end : from[dof] + to * (end - from[dof]);
       }
-      const StepReport report = advance(bulk, local, ready.constraints, {load, prescribed}, state_);
+      const StepReport report = take_step(bulk, local, ready.constraints, {load, prescribed});
       for (model::Iteration row : report.iterations) {
         row.step = step;
         observer_.iterated(row);
@@ -204,6 +204,20 @@ class March {
       core::log().info("stage '" + result.name + "': " + report.reason + "; trying a step of half the size");
     }
     return true;
+  }
+
+  /// One step. Points that move along each other are paired where the step begins, and then where it ends.
+  StepReport take_step(Bulk& bulk, LocalTerms& local, const model::Constraints& constraints,
+                       const StepTarget& target) {
+    const bool moving = local.follow(state_);
+    StepReport report = advance(bulk, local, constraints, target, state_);
+    if (!moving || !report.converged) return report;
+    local.follow(state_);
+    std::vector<model::Iteration> rows = std::move(report.iterations);
+    report = advance(bulk, local, constraints, target, state_);
+    rows.insert(rows.end(), report.iterations.begin(), report.iterations.end());
+    report.iterations = std::move(rows);
+    return report;
   }
 
   static int steps_of(const model::StageData& stage) {
@@ -253,7 +267,7 @@ class March {
     for (const double u : start.state.committed(displacement)) largest = std::max(largest, std::abs(u));
     const double share = at_rest(ready) ? negligible_at_rest : negligible;
     result.balance = balance(in_.model, in_.scene.stages[s],
-                             {ready.terms, ready.constraints, forces, share * bulk.norm() * largest});
+                             {ready.terms, ready.constraints, state_, forces, share * bulk.norm() * largest});
     add_section_forces(bulk, ready, result);
     add_probes(in_.scene, in_.model, probe_points_, result);
     if (s == 0) warn_of_unread(in_.scene, result);

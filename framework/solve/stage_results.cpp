@@ -90,6 +90,19 @@ void keep_axial(model::Balance& sums, model::Resultant& left) {
   for (model::Resultant* each : {&sums.load, &sums.reaction, &left}) keep(*each);
 }
 
+/// The nodal forces of joints by themselves, on the bodies: a moment where points have moved along each
+/// other.
+std::vector<double> joint_force(const model::LocalTerm& term, const fields::State& state, Index dofs) {
+  std::vector<double> force(static_cast<std::size_t>(dofs));
+  const model::Jumps& jumps = term.jumps();
+  std::vector<double> traction(static_cast<std::size_t>(jumps.size()));
+  term.tractions(state, traction);
+  for (Index i = 0; i < jumps.size(); ++i)
+    for (const model::Jumps::Part& part : jumps.parts[i])
+      force[term.touched()[part.place]] -= part.factor * jumps.area[i] * traction[i];
+  return force;
+}
+
 }  // namespace
 
 model::Balance balance(const model::Model& model, const model::StageData& stage, const StageForces& forces) {
@@ -99,19 +112,26 @@ model::Balance balance(const model::Model& model, const model::StageData& stage,
   // The error is summed about a point of the body: moments about a far origin would drown it in round-off.
   const Point inside = model.mesh.points.front();
   model::Resultant left;
-  for (const auto& load : forces.terms.loads) {
-    std::vector<double> force(model.dofs.size());
-    load->add_force(force);
+  const auto add_load = [&](const std::string& name, const std::vector<double>& force) {
     model::Resultant resultant;
     for (Index dof = 0; dof < model.dofs.size(); ++dof) {
       if (force[dof] == 0) continue;
       add(resultant, nodal_force(rigid, dof, force[dof], {}));
       add(left, nodal_force(rigid, dof, force[dof], inside));
-      absolute += std::abs(force[dof]);
     }
     add(sums.load, resultant);
-    sums.loads.emplace_back(load->effect(), resultant);
+    sums.loads.emplace_back(name, resultant);
+  };
+  for (const auto& load : forces.terms.loads) {
+    std::vector<double> force(model.dofs.size());
+    load->add_force(force);
+    for (const double f : force) absolute += std::abs(f);
+    add_load(load->effect(), force);
   }
+  // Drawn where they were, bodies that have moved along each other press with a moment.
+  for (const auto& term : forces.terms.local)
+    if (term->follows())
+      add_load(term->effect() + " (moved)", joint_force(*term, forces.state, model.dofs.size()));
   std::vector<model::Resultant> reactions(stage.supports.size());
   double reaction_absolute = 0;
   for (Index dof = 0; dof < model.dofs.size(); ++dof) {

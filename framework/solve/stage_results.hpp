@@ -10,6 +10,7 @@ namespace ashlar::solve {
 struct StageForces {
   const model::Terms& terms;
   const model::Constraints& constraints;
+  const fields::State& state;
   std::span<const double> out_of_balance;  ///< by dof: reactions in held dofs [N]
   double round_off_scale;  ///< where nothing loads: reactions far below this are round-off [N]
 };

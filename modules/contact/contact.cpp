@@ -63,6 +63,11 @@ void Contact::check_joint(const model::JointData& joint, core::Mistakes& mistake
     mistakes.add({settings.place.file, settings.place.line, settings.place.path + ".friction"},
                  name + " does not say its friction", core::did_you_mean("", registry_.names("friction")));
   make_joint_law(registry_, settings, mistakes);
+  if (settings.text("sliding") == "finite" && settings.entry("pairing").object &&
+      !part<MakePairing>(settings, "pairing", "pairing")->follows())
+    mistakes.add(settings.place_of("sliding"),
+                 name + " is to slide far, but its pairing stays as in the undeformed mesh",
+                 "pairing = \"mortar\" or \"node_to_segment\" in one pass");
   const std::string slave = settings.text("slave");
   if (slave.empty()) return;
   const std::vector<std::string> lips = {joint.line.name + "." + joint.line.sides[0],
@@ -91,7 +96,11 @@ JointContact Contact::make_joint(const model::Model& model, const mesh::JointLip
   joint.law = make_joint_law(registry_, settings, mistakes);
   joint.enforcement = part<MakeEnforcement>(settings, "enforcement", "enforce");
   const int slave = slave_lip(lips, settings.text("slave"));
-  joint.points = part<MakePairing>(settings, "pairing", "pairing")->pair(model, lips, slave);
+  const auto pairing = part<MakePairing>(settings, "pairing", "pairing");
+  std::vector<std::string> remarks;
+  joint.points = pairing->pair(model, lips, slave, &remarks);
+  for (const std::string& remark : remarks) core::log().warning("joint '" + joint.name + "': " + remark);
+  if (settings.text("sliding") == "finite") joint.follow = pairing;
   if (joint.points.empty()) {
     core::log().warning("joint '" + joint.name + "' has no contact points: it is welded all along");
     return joint;

@@ -4,6 +4,9 @@
 #include <cassert>
 #include <cmath>
 
+#include "contact/follow.hpp"
+#include "contact/pairing/lip.hpp"
+
 namespace ashlar::contact {
 
 namespace {
@@ -44,16 +47,36 @@ void put_unknowns(const Unknowns& own, Index component, std::span<double> all) {
 
 ContactTerm::ContactTerm(const model::Model& model, std::vector<JointContact> joints)
     : LocalTerm("contact"), model_(model), joints_(std::move(joints)) {
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    if (joints_[j].follow) followers_.push_back(make_follower(model, joints_[j], j));
+  for (const Follower& follower : followers_) joints_[follower.joint].points = follower.alone;
+  find_touched();
+  gather_jumps();
+}
+
+void ContactTerm::find_touched() {
   for (const JointContact& joint : joints_)
     for (const ContactPoint& point : joint.points)
       for (const ContactPoint::Share& share : point.shares)
         touched_.insert(touched_.end(), {share.dof, share.dof + 1});
+  // What follows may come to touch any node of its lips.
+  for (const Follower& follower : followers_)
+    for (const int side : {0, 1}) {
+      const Lips lips(model_, follower.lips, side);
+      for (const mesh::LipEdge& edge : lips.slave())
+        for (const TraceNode& node : lips.nodes(edge))
+          touched_.insert(touched_.end(), {node.dof, node.dof + 1});
+    }
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+}
+
+void ContactTerm::gather_jumps() {
+  jumps_ = {};
   for (const JointContact& joint : joints_) add_jumps(joint);
 }
 
-// gap = g₀ + n · Σ factor u, slip = s · Σ factor u.
+// gap = g₀ + n · Σ factor u, slip = s₀ + s · Σ factor u.
 void ContactTerm::add_jumps(const JointContact& joint) {
   for (const ContactPoint& point : joint.points) {
     for (const Point& direction : {point.normal, point.tangent}) {
@@ -65,7 +88,7 @@ void ContactTerm::add_jumps(const JointContact& joint) {
         row.push_back({place + 1, share.factor * direction.y});
       }
     }
-    jumps_.initial.insert(jumps_.initial.end(), {point.gap, 0});
+    jumps_.initial.insert(jumps_.initial.end(), {point.gap, point.slip});
     jumps_.area.insert(jumps_.area.end(), 2, point.area);
     jumps_.ground.insert(jumps_.ground.end(), 2, point.modulus / point.h);
   }
@@ -82,9 +105,11 @@ void ContactTerm::for_each(const auto& visit) const {
 void ContactTerm::add_state(State& state) {
   memory_.clear();
   base_.clear();
+  slip_.clear();
   for (const JointContact& joint : joints_) {
     memory_.push_back(state.add("contact." + joint.name + ".memory", memory_size * joint.points.size()));
     base_.push_back(state.add("contact." + joint.name + ".base", 2 * joint.points.size() + 2));
+    slip_.push_back(joint.follow ? state.add("contact." + joint.name + ".slip", joint.points.size()) : -1);
   }
 }
 
@@ -117,6 +142,10 @@ PointMemory ContactTerm::committed(const State& state, std::size_t joint, std::s
 
 PointMemory ContactTerm::trial(const State& state, std::size_t joint, std::size_t point) const {
   return from_array(state.trial(memory_[joint]), joint, point);
+}
+
+bool ContactTerm::unseen(const State& state, std::size_t joint, std::size_t point) const {
+  return state.committed(memory_[joint])[memory_size * point] == 0;
 }
 
 void ContactTerm::put(State& state, std::size_t joint, std::size_t point, const PointMemory& memory) const {
@@ -183,6 +212,18 @@ std::vector<ContactTerm::Misfit> ContactTerm::misfits(const State& state, const 
   return list;
 }
 
+// Shear that lips could not bear tilts the bodies: what it pulls open slips first, and parts if it still
+// pulls then.
+void ContactTerm::slip_before_parting(const State& state, std::vector<Misfit>& list) const {
+  const auto sticks = [&](const Misfit& misfit) {
+    return trial(state, misfit.joint, misfit.point).status == Status::stick;
+  };
+  if (std::ranges::none_of(list, [&](const Misfit& m) { return sticks(m) && touching(m.next); })) return;
+  for (Misfit& misfit : list)
+    if (sticks(misfit) && !touching(misfit.next))
+      misfit.next = misfit.response.traction[1] > 0 ? Status::slip_forward : Status::slip_backward;
+}
+
 void ContactTerm::change_status(State& state, const Misfit& misfit, std::span<double> unknown) const {
   PointMemory memory = trial(state, misfit.joint, misfit.point);
   memory.status = misfit.next;
@@ -195,12 +236,13 @@ void ContactTerm::change_status(State& state, const Misfit& misfit, std::span<do
 
 int ContactTerm::update_status(State& state, const model::StatusChange& change,
                                std::span<double> unknown) const {
-  const std::vector<Misfit> list = misfits(state, change, unknown);
+  std::vector<Misfit> list = misfits(state, change, unknown);
   if (list.empty()) return 0;
   if (change.one) {
     change_status(state, *std::ranges::max_element(list, {}, &Misfit::size), unknown);
     return 1;
   }
+  slip_before_parting(state, list);
   for (const Misfit& misfit : list) change_status(state, misfit, unknown);
   return static_cast<int>(list.size());
 }
@@ -251,6 +293,7 @@ bool ContactTerm::settle(State& state, std::span<const double> unknown) const {
     put(state, j, p,
         remember(joints_[j].law, hold(state, j, p), committed(state, j, p), trial(state, j, p).status,
                  unknowns_at(unknown, c)));
+    if (slip_[j] >= 0) state.trial(slip_[j])[p] = answer(state, j, p, unknown.subspan(c, 2)).jump[1];
   });
   bool again = false;
   Index first = 0;

@@ -2,6 +2,8 @@
 // The contact term: forces between the lips of all joints, as a local term of the stage. README.md has the
 // equations.
 
+#include <map>
+
 #include "contact/parts.hpp"
 #include "model/results.hpp"
 
@@ -13,6 +15,19 @@ struct JointContact {
   JointLaw law;
   std::shared_ptr<const Enforcement> enforcement;
   std::vector<ContactPoint> points;
+  /// If the lips move far along each other: what pairs them anew before each step.
+  std::shared_ptr<const Pairing> follow = {};
+};
+
+/// A joint whose points are paired anew: one contact point a slave node at all times, without shares where it
+/// faces nothing.
+struct Follower {
+  std::size_t joint = 0;
+  mesh::JointLips lips;
+  int slave = 0;
+  std::vector<ContactPoint> alone;         ///< by point: without a partner
+  std::map<Index, std::size_t> number_of;  ///< by the slave node's dof
+  std::map<Index, Point> place;            ///< undeformed, of all nodes of both lips by dof
 };
 
 /// All joints of a scene: where they cross they share mesh points. What a point remembers is kept in the
@@ -28,6 +43,8 @@ class ContactTerm final : public model::LocalTerm {
   std::size_t bytes() const override;
   std::span<const Index> touched() const override { return touched_; }
   const model::Jumps& jumps() const override { return jumps_; }
+  bool follows() const override { return !followers_.empty(); }
+  bool follow(fields::State& state) override;
   void respond(const fields::State& state, std::span<const double> unknown,
                model::JumpResponse& response) const override;
   void begin(const fields::State& state, std::span<const double> jump,
@@ -52,10 +69,14 @@ class ContactTerm final : public model::LocalTerm {
   PointMemory trial(const fields::State& state, std::size_t joint, std::size_t point) const;
 
  private:
+  void find_touched();
+  void gather_jumps();
   void add_jumps(const JointContact& joint);
   /// Calls visit(joint, point, first component) for every point.
   void for_each(const auto& visit) const;
   PointMemory from_array(std::span<const double> array, std::size_t joint, std::size_t point) const;
+  /// No stage has dealt with it yet.
+  bool unseen(const fields::State& state, std::size_t joint, std::size_t point) const;
   void put(fields::State& state, std::size_t joint, std::size_t point, const PointMemory& memory) const;
   Hold hold(const fields::State& state, std::size_t joint, std::size_t point) const;
   PointResponse answer(const fields::State& state, std::size_t joint, std::size_t point,
@@ -70,6 +91,7 @@ class ContactTerm final : public model::LocalTerm {
   };
   std::vector<Misfit> misfits(const fields::State& state, const model::StatusChange& change,
                               std::span<const double> unknown) const;
+  void slip_before_parting(const fields::State& state, std::vector<Misfit>& list) const;
   void change_status(fields::State& state, const Misfit& misfit, std::span<double> unknown) const;
   bool augment(fields::State& state, std::size_t joint, std::span<const double> unknown, Index first) const;
   model::JointResult joint_result(const fields::State& state, std::size_t joint,
@@ -78,10 +100,12 @@ class ContactTerm final : public model::LocalTerm {
                model::JointResult& result) const;
 
   const model::Model& model_;
+  std::unique_ptr<model::Model> moved_;  ///< with the lips where they are, for followers
   std::vector<JointContact> joints_;
+  std::vector<Follower> followers_;
   std::vector<Index> touched_;
   model::Jumps jumps_;
-  std::vector<fields::State::Id> memory_, base_;  ///< by joint
+  std::vector<fields::State::Id> memory_, base_, slip_;  ///< by joint
 };
 
 }  // namespace ashlar::contact

@@ -158,6 +158,9 @@ return {
         doc = "how points of one lip find the other" },
       { key = "enforce", forms = { "object" }, kind = "enforcement", default = "penalty", numerical = true,
         doc = "how penetration is prevented" },
+      { key = "sliding", forms = { "text" }, choices = { "small", "finite" }, default = "small",
+        doc = "finite: lips that move far along each other are paired anew before each step (say steps in the stages); "
+           .. "small: points stay paired as drawn" },
       { key = "slave", forms = { "text" },
         doc = "the lip whose points carry the contact, as joint.side (\"fault.upper\"; the side alone will do); "
              .. "nothing: the lip with more edges, the first of equals" },
@@ -165,8 +168,8 @@ return {
   },
   effects = {
     { name = "contact", called_by = { "scene.joints" }, nonlinear = true,
-      doc = "Joints open and close: no tension across them, no penetration but the penalty's. Small sliding: "
-         .. "points stay paired as in the undeformed mesh. Forces are those of the contact points: half a mesh edge "
+      doc = "Joints open, close and slip by their laws; no penetration but the penalty's. Points stay paired as in the "
+         .. "undeformed mesh unless a joint says sliding = \"finite\". Forces are those of the contact points: half a mesh edge "
          .. "at each welded tip has none.",
       left_out = "Contact in joints: the body is whole, and every border between regions bonded. It matters when "
               .. "faults, bedding or lift joints would open, slide or carry no tension." },

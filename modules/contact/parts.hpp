@@ -28,6 +28,7 @@ struct ContactPoint {
   Point
       tangent;  ///< unit vector along which slip is that of the first lip against the second, along the path
   double gap = 0;      ///< before loading [m]
+  double slip = 0;     ///< added to that of the displacement [m]: where points were paired anew
   double overlap = 0;  ///< deepest place nearby where the bodies overlap before loading [m]
   double length = 0;   ///< of the slave lip that it stands for [m]
   double area = 0;     ///< by which its tractions become forces [m²]
@@ -44,8 +45,11 @@ class Pairing {
   virtual ~Pairing() = default;
   /// Contact points of a joint, ascending in s; `slave` is the lip (0 or 1) whose points carry them. Points
   /// of welded tips carry none.
-  virtual std::vector<ContactPoint> pair(const model::Model& model, const mesh::JointLips& joint,
-                                         int slave) const = 0;
+  /// What is to be said of the lips goes to `remarks`, if there are any.
+  virtual std::vector<ContactPoint> pair(const model::Model& model, const mesh::JointLips& joint, int slave,
+                                         std::vector<std::string>* remarks = nullptr) const = 0;
+  /// Whether it may pair lips anew that have moved along each other.
+  virtual bool follows() const { return false; }
 };
 
 /// How lips that a law keeps rigid are held.

@@ -162,5 +162,27 @@ TEST(Cycle, a_slipping_joint_has_the_three_slopes_of_its_load_cycle) {
   EXPECT_NEAR(reverse, 34.42e9, 0.015 * 34.42e9);
 }
 
+// A block pushed 2 m along a base: paired anew in each step, it presses where it stands and rubs with N tan
+// φ.
+TEST(Sliding, a_block_that_slides_far_presses_where_it_stands) {
+  for (const char* pairing : {"mortar", "node_to_segment"})
+    for (const char* steps : {"4", "20"})
+      for (const char* order : {"1", "2"}) {
+        const SceneRun run =
+            run_scene(scene("slide"), {{"pairing", pairing}, {"steps", steps}, {"order", order}});
+        const model::StageResult& push = run.stage("push");
+        const JointResult& bed = push.joints.at(0);
+        EXPECT_NEAR(bed.resultant.y, 1e6, 1e-6);
+        EXPECT_NEAR(std::abs(bed.shear_force), std::tan(30 * degree) * bed.normal_force, 1);
+        EXPECT_NEAR(bed.max_slip, 2, 1e-3);
+        // The load moved by 2 m against the base, to a thousandth: the lips bend.
+        double moved = 0;
+        for (const auto& [name, load] : push.balance.loads)
+          if (name == "contact (moved)") moved = load.moment;
+        EXPECT_NEAR(moved, -2e6, 1e3) << pairing << steps << order;
+        EXPECT_LT(push.balance.relative_error, 1e-10);
+      }
+}
+
 }  // namespace
 }  // namespace ashlar::test

@@ -139,7 +139,7 @@ inline ContactTerm contact_with(const model::Model& model, const Parts& parts) {
   std::vector<JointContact> joints;
   for (const mesh::JointLips& lips : model.mesh.joints)
     joints.push_back(
-        {lips.name, parts.law, parts.enforcement, parts.pairing->pair(model, lips, parts.slave)});
+        {lips.name, parts.law, parts.enforcement, parts.pairing->pair(model, lips, parts.slave), {}});
   return ContactTerm(model, std::move(joints));
 }
 
@@ -181,8 +181,8 @@ inline Eigen::VectorXd force_of(const model::Model& model, const ContactTerm& te
 /// Eliminates all free dofs that the term does not touch and iterates on its jumps; the bottom is held in y,
 /// its first point in x, and the dof `hold`. Leaves the result committed; returns the number of statuses, or
 /// -1 if it does not settle.
-inline int settle(const Blocks& blocks, const std::shared_ptr<const ContactTerm>& term,
-                  const Eigen::VectorXd& load, Index hold, fields::State& state) {
+inline int settle(const Blocks& blocks, const std::shared_ptr<ContactTerm>& term, const Eigen::VectorXd& load,
+                  Index hold, fields::State& state) {
   model::Constraints constraints;
   constraints.held.assign(load.size(), 0);
   for (const Index point : blocks.bottom) constraints.held[2 * point + 1] = 1;

@@ -8,7 +8,6 @@
 #include <Eigen/Cholesky>
 
 #include "contact/pairing/lip.hpp"
-#include "core/log.hpp"
 #include "geometry/quadrature.hpp"
 
 namespace ashlar::contact {
@@ -255,8 +254,8 @@ class Stretch {
 
 }  // namespace
 
-std::vector<ContactPoint> Mortar::pair(const model::Model& model, const mesh::JointLips& joint,
-                                       int slave) const {
+std::vector<ContactPoint> Mortar::pair(const model::Model& model, const mesh::JointLips& joint, int slave,
+                                       std::vector<std::string>* remarks) const {
   const Lips lips(model, joint, slave);
   std::vector<ContactPoint> points;
   std::size_t beyond = 0;
@@ -277,9 +276,9 @@ std::vector<ContactPoint> Mortar::pair(const model::Model& model, const mesh::Jo
   }
   if (stretch) stretch->finish(points);
   set_sizes(lips, points);
-  if (beyond > 0)
-    core::log().warning("joint '" + joint.name + "': " + std::to_string(beyond) +
-                        " edges of the slave lip face no edge of the other lip and carry no contact");
+  if (beyond > 0 && remarks)
+    remarks->push_back(std::to_string(beyond) +
+                       " edges of the slave lip face no edge of the other lip and carry no contact");
   return points;
 }
 

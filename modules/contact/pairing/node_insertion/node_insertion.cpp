@@ -6,7 +6,6 @@
 #include <set>
 
 #include "contact/pairing/lip.hpp"
-#include "core/log.hpp"
 
 namespace ashlar::contact {
 
@@ -52,7 +51,7 @@ ContactPoint pair_nodes(const Lips& lips, const SlavePart& part, const LipEdge& 
 }  // namespace
 
 std::vector<ContactPoint> NodeInsertion::pair(const model::Model& model, const mesh::JointLips& joint,
-                                              int slave) const {
+                                              int slave, std::vector<std::string>* remarks) const {
   const Lips lips(model, joint, slave);
   const Opposite opposite(lips, joint);
   std::vector<ContactPoint> points;
@@ -71,9 +70,9 @@ std::vector<ContactPoint> NodeInsertion::pair(const model::Model& model, const m
   double total = 0;
   for (const LipEdge& edge : lips.slave()) total += lips.length(edge);
   for (ContactPoint& point : points) point.h = total / static_cast<double>(lips.slave().size());
-  if (beyond > 0)
-    core::log().info("joint '" + joint.name + "': " + std::to_string(beyond) +
-                     " parts of the slave lip's edges face no edge of the other lip and carry no contact");
+  if (beyond > 0 && remarks)
+    remarks->push_back(std::to_string(beyond) +
+                       " parts of the slave lip's edges face no edge of the other lip and carry no contact");
   return points;
 }
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "contact/pairing/lip.hpp"
-#include "core/log.hpp"
 
 namespace ashlar::contact {
 
@@ -65,22 +64,23 @@ void make_equal(const Lips& lips, const std::vector<SlavePart>& parts, std::vect
   }
 }
 
-void report(const std::string& joint, std::size_t beyond, const std::vector<ContactPoint>& points) {
+void remark(std::size_t beyond, const std::vector<ContactPoint>& points, std::vector<std::string>& remarks) {
   const auto between = std::count_if(points.begin(), points.end(),
                                      [](const ContactPoint& point) { return point.shares.size() > 2; });
   if (beyond > 0)
-    core::log().warning("joint '" + joint + "': " + std::to_string(beyond) +
-                        " parts of the slave lip's edges face no edge of the other lip and carry no contact");
+    remarks.push_back(std::to_string(beyond) +
+                      " parts of the slave lip's edges face no edge of the other lip and carry no contact");
   if (between > 0)
-    core::log().warning("joint '" + joint + "': the lips' points do not match at " + std::to_string(between) +
-                        " places; node_to_segment passes a uniform pressure only roughly there: "
-                        "node_insertion or mortar pass it exactly");
+    remarks.push_back(
+        "the lips' points do not match at " + std::to_string(between) +
+        " places; node_to_segment passes a uniform pressure only roughly there: node_insertion or "
+        "mortar pass it exactly");
 }
 
 }  // namespace
 
 std::vector<ContactPoint> NodeToSegment::pass(const model::Model& model, const mesh::JointLips& joint,
-                                              int slave) const {
+                                              int slave, std::vector<std::string>* remarks) const {
   const Lips lips(model, joint, slave);
   std::vector<ContactPoint> points;
   std::size_t beyond = 0;
@@ -94,16 +94,16 @@ std::vector<ContactPoint> NodeToSegment::pass(const model::Model& model, const m
   }
   set_sizes(lips, points);
   if (weight_ == Weight::equal) make_equal(lips, parts, points);
-  report(joint.name, beyond, points);
+  if (remarks) remark(beyond, points, *remarks);
   return points;
 }
 
 // In two passes each lip's points carry half of the pressure.
 std::vector<ContactPoint> NodeToSegment::pair(const model::Model& model, const mesh::JointLips& joint,
-                                              int slave) const {
-  std::vector<ContactPoint> points = pass(model, joint, slave);
+                                              int slave, std::vector<std::string>* remarks) const {
+  std::vector<ContactPoint> points = pass(model, joint, slave, remarks);
   if (passes_ == 1) return points;
-  for (ContactPoint& point : pass(model, joint, 1 - slave)) points.push_back(std::move(point));
+  for (ContactPoint& point : pass(model, joint, 1 - slave, remarks)) points.push_back(std::move(point));
   for (ContactPoint& point : points) {
     point.area /= 2;
     point.length /= 2;

@@ -9,11 +9,13 @@ class NodeToSegment final : public Pairing {
  public:
   enum class Weight { tributary, equal };
   explicit NodeToSegment(Weight weight, int passes = 1) : weight_(weight), passes_(passes) {}
-  std::vector<ContactPoint> pair(const model::Model& model, const mesh::JointLips& joint,
-                                 int slave) const override;
+  std::vector<ContactPoint> pair(const model::Model& model, const mesh::JointLips& joint, int slave,
+                                 std::vector<std::string>* remarks = nullptr) const override;
+  bool follows() const override { return passes_ == 1; }
 
  private:
-  std::vector<ContactPoint> pass(const model::Model& model, const mesh::JointLips& joint, int slave) const;
+  std::vector<ContactPoint> pass(const model::Model& model, const mesh::JointLips& joint, int slave,
+                                 std::vector<std::string>* remarks) const;
 
   Weight weight_;
   int passes_;
