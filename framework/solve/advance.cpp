@@ -143,11 +143,24 @@ bool refine_again(int round, double before, double error) {
   return round == 0 || error <= 0.3 * before;  // else round-off: no more to gain
 }
 
-/// The largest force when the step begins: one that takes all load off ends with none to measure by.
-double most_force_at_start(const Bulk& bulk, const LocalTerms& local, const StepTarget& target,
+/// The largest force when the step begins, from the bulk's residual: one that takes all load off ends with
+/// none to measure by.
+double most_force_at_start(const LocalTerms& local, const StepTarget& target, std::vector<double> residual,
                            fields::State& state) {
   if (largest(state.trial(displacement)) == 0) return std::max(largest(target.load), 1e-300);
-  return std::max({largest(target.load), largest(out_of_balance(bulk, local, target.load, state)), 1e-300});
+  local.add_force(state, residual);
+  return std::max({largest(target.load), largest(residual), 1e-300});
+}
+
+/// Moves held dofs to their places; false if they are there.
+bool move_held(const model::Constraints& constraints, const StepTarget& target, std::span<double> u) {
+  bool moved = false;
+  for (std::size_t dof = 0; dof < u.size(); ++dof) {
+    if (!constraints.held[dof] || u[dof] == target.prescribed[dof]) continue;
+    u[dof] = target.prescribed[dof];
+    moved = true;
+  }
+  return moved;
 }
 
 /// What round-off does to the displacements, relative to the largest: K⁻¹ of the forces that it left.
@@ -165,12 +178,13 @@ StepReport solve_linear(const Bulk& bulk, LocalTerms& local, const model::Constr
   StepReport report;
   const std::span<double> u = state.trial(displacement);
   double most_u = largest(u);
-  const double most_force = most_force_at_start(bulk, local, target, state);
-  for (std::size_t dof = 0; dof < u.size(); ++dof)
-    if (constraints.held[dof]) u[dof] = target.prescribed[dof];
+  std::vector<double> residual = bulk_residual(bulk, target.load, state);
+  const double most_force = most_force_at_start(local, target, residual, state);
+  bool current = !move_held(constraints, target, u);
   std::vector<double> change;
   for (int round = 0;; ++round) {
-    const std::vector<double> residual = bulk_residual(bulk, target.load, state);
+    if (!current) residual = bulk_residual(bulk, target.load, state);
+    current = false;
     std::vector<model::Iteration> rows;
     const LocalResult result = correct(bulk, local, constraints, residual, state, rows, change);
     if (round == 0 || !result.converged || rows.size() > 1)
@@ -179,9 +193,10 @@ StepReport solve_linear(const Bulk& bulk, LocalTerms& local, const model::Constr
       stop(result, report);
       return report;
     }
-    const std::vector<double> left = out_of_balance(bulk, local, target.load, state);
+    std::vector<double> left = out_of_balance(bulk, local, target.load, state);
     const std::vector<double> free = free_part(constraints, left);
     report.residual = largest(free) / std::max(most_force, largest(left));
+    report.out_of_balance = std::move(left);
     report.worst = worst_unknown(free);
     most_u = std::max(most_u, largest(u));
     const double before = report.backward_error;
@@ -305,7 +320,8 @@ StepReport solve_newton(Bulk& bulk, LocalTerms& local, const model::Constraints&
                         const StepTarget& target, fields::State& state) {
   StepReport report;
   double first = 0;
-  const double most_force = most_force_at_start(bulk, local, target, state);
+  const double most_force =
+      most_force_at_start(local, target, bulk_residual(bulk, target.load, state), state);
   for (int number = 1; number <= most_newton_steps; ++number) {
     bulk.linearise(state);
     local.bulk_changed();

@@ -23,6 +23,7 @@ struct StepReport {
   double forward_error = 0;   ///< what round-off does to the displacements, relative to the largest; linear
                               ///< stages without local terms only
   std::vector<model::Iteration> iterations;
+  std::vector<double> out_of_balance;  ///< at the step's end, if the bulk is linear; else empty
 };
 
 /// Brings the trial state to equilibrium. Linear stages take one solve (and one of refinement if its backward

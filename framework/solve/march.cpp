@@ -77,7 +77,9 @@ class March {
       const model::StageData& stage = in_.scene.stages[s];
       Prepared& ready = prepared_.emplace_back();
       ready.constraints = build_constraints(in_.model, stage, mistakes);
-      if (mistakes.empty()) check_support(in_.model, in_.scene, stage, ready.constraints, mistakes);
+      const bool held_as_before = s > 0 && ready.constraints.same_dofs(prepared_[s - 1].constraints);
+      if (mistakes.empty() && !held_as_before)
+        check_support(in_.model, in_.scene, stage, ready.constraints, mistakes);
       for (const model::Call& call : in_.plan.stages[s].calls) {
         const auto timing = core::ledger().time("prepare", call.effect);
         in_.effects.at(call.effect)->contribute({in_.scene, stage, in_.model, state_, mistakes}, ready.terms);
@@ -174,7 +176,7 @@ class March {
         const double end = ready.constraints.at_value[dof] ? ready.constraints.value[dof] : from[dof];
         prescribed[dof] = to == 1 ? end : from[dof] + to * (end - from[dof]);
       }
-      const StepReport report = take_step(bulk, local, ready.constraints, {load, prescribed});
+      StepReport report = take_step(bulk, local, ready.constraints, {load, prescribed});
       for (model::Iteration row : report.iterations) {
         row.step = step;
         observer_.iterated(row);
@@ -184,6 +186,7 @@ class March {
       result.forward_error = report.forward_error;
       if (report.converged) {
         state_.commit();
+        out_of_balance_ = std::move(report.out_of_balance);
         reached = to;
         size = std::min({1.0 - reached, 2 * size, largest});
         ++step;
@@ -262,12 +265,13 @@ class March {
                           " % of the model: small-displacement theory, which is used, no longer holds");
     if (condition_wanted()) result.condition = condition_estimate(bulk, local, ready.constraints.unknowns());
     warn_of_round_off(result);
-    const std::vector<double> forces = out_of_balance(bulk, local, ready.load, state_);
+    if (out_of_balance_.empty()) out_of_balance_ = out_of_balance(bulk, local, ready.load, state_);
     // Where all load is taken off, what is left is round-off of the forces that were.
     for (const double u : start.state.committed(displacement)) largest = std::max(largest, std::abs(u));
     const double share = at_rest(ready) ? negligible_at_rest : negligible;
-    result.balance = balance(in_.model, in_.scene.stages[s],
-                             {ready.terms, ready.constraints, state_, forces, share * bulk.norm() * largest});
+    result.balance =
+        balance(in_.model, in_.scene.stages[s],
+                {ready.terms, ready.constraints, state_, out_of_balance_, share * bulk.norm() * largest});
     add_section_forces(bulk, ready, result);
     add_probes(in_.scene, in_.model, probe_points_, result);
     if (s == 0) warn_of_unread(in_.scene, result);
@@ -321,7 +325,8 @@ class March {
   std::vector<Prepared> prepared_;
   std::vector<Ended> ended_;
   std::vector<Index> probe_points_;
-  std::size_t stage_ = 0;  ///< at work
+  std::vector<double> out_of_balance_;  ///< at the stage's end; empty if the last step did not tell
+  std::size_t stage_ = 0;               ///< at work
   std::optional<Bulk> bulk_;
   std::optional<LocalTerms> local_;
 };

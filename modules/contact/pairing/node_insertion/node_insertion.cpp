@@ -19,7 +19,11 @@ class Opposite {
   Opposite(const Lips& lips, const mesh::JointLips& joint) {
     const int slave = lips.slave_number();
     for (const auto& pair : joint.pairs) partners_[pair[slave]].insert(pair[1 - slave]);
-    for (const LipEdge& edge : lips.master()) edges_[{edge.from, edge.to}] = &edge;
+    for (const LipEdge& edge : lips.master()) {
+      edges_[{edge.from, edge.to}] = &edge;
+      // A welded tip is one point of both lips.
+      for (const Index point : {edge.from, edge.to}) partners_[point].insert(point);
+    }
   }
   const LipEdge* of(const LipEdge& slave) const {
     const auto from = partners_.find(slave.from), to = partners_.find(slave.to);
