@@ -141,6 +141,10 @@ class March {
     for (const model::Call& call : in_.plan.stages[s].calls) result.effects.push_back(call.effect);
     LocalTerms& local = local_for(ready);
     Bulk& bulk = bulk_for(ready, local, result);
+    if (!bulk.linear() && !local.empty())
+      core::log().info(
+          "stage '" + result.name +
+          "': the body may yield, so it is factored and condensed to its joints in every iteration");
     if (!bulk.report().done) {
       result.converged = false;
       result.reason = bulk.report().reason + at_unknown(ready.constraints, bulk.report().unknown);

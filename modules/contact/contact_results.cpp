@@ -12,6 +12,9 @@ namespace {
 
 using model::JointResult;
 
+// Jumps below this part of the largest displacement at the joints are round-off.
+constexpr double displacement_digits = 1e-13;
+
 // Half an edge at a welded tip has no contact point: what it carries goes through the tip's cells.
 void add_lengths(const mesh::Mesh& mesh, const JointContact& parts, JointResult& result) {
   for (const ContactPoint& point : parts.points) result.contact_length += point.length;
@@ -102,8 +105,13 @@ model::JointResult ContactTerm::joint_result(const fields::State& state, std::si
 void ContactTerm::add_results(const fields::State& state, model::StageResult& result) const {
   const auto u = state.committed(state.find(model_.dofs.field().name));
   std::vector<double> jump = jumps_.initial;
+  double largest = 0;
+  for (const Index dof : touched_) largest = std::max(largest, std::abs(u[dof]));
   for (Index i = 0; i < jumps_.size(); ++i)
     for (const model::Jumps::Part& part : jumps_.parts[i]) jump[i] += part.factor * u[touched_[part.place]];
+  // Differences of displacements are known to this only.
+  for (double& each : jump)
+    if (std::abs(each) < displacement_digits * largest) each = 0;
   std::size_t first = 0;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const std::size_t count = 2 * joints_[j].points.size();

@@ -46,7 +46,11 @@ Picture joint_picture(const model::Scene& scene, const model::RunResult& result,
   const Quantities list = chosen(scene, result, name);
   Profiles profiles;
   profiles.s_label = "distance along the joint *s* [m]";
-  for (const JointColumn& quantity : list) profiles.quantities.push_back({quantity.name, quantity.unit});
+  for (const JointColumn& quantity : list) {
+    std::string words = quantity.name;
+    std::ranges::replace(words, '_', ' ');
+    profiles.quantities.push_back({words, quantity.unit});
+  }
   for (const model::StageResult& stage : result.stages)
     for (const JointResult& joint : stage.joints) {
       if (joint.name != name || joint.rows.empty()) continue;

@@ -155,7 +155,8 @@ void draw_panel(Canvas& canvas, const Profiles& profiles, std::size_t quantity, 
   canvas.text(right - 4, top + 9, peak_text(profiles, axes, quantity, unit), note);
   TextStyle turned = aligned({8.5}, Align::center);
   turned.turn = 1;
-  canvas.text(15, top + panel / 2, profiles.quantities[quantity].symbol + " [" + unit.name + "]", turned);
+  const std::string in = unit.name.empty() ? "" : " [" + unit.name + "]";
+  canvas.text(15, top + panel / 2, profiles.quantities[quantity].symbol + in, turned);
 }
 
 /// Where each stage stands in the legend, in rows that do not leave the plot.
