@@ -172,7 +172,8 @@ TEST(Sliding, a_block_that_slides_far_presses_where_it_stands) {
             run_scene(scene("slide"), {{"pairing", pairing}, {"steps", steps}, {"order", order}});
         const model::StageResult& push = run.stage("push");
         const JointResult& bed = push.joints.at(0);
-        EXPECT_NEAR(bed.resultant.y, 1e6, 1e-6);
+        // Displacements of 2 m leave the jumps, some 1e-5 m, eleven digits.
+        EXPECT_NEAR(bed.resultant.y, 1e6, 1e-9 * 1e6);
         EXPECT_NEAR(std::abs(bed.shear_force), std::tan(30 * degree) * bed.normal_force, 1);
         EXPECT_NEAR(bed.max_slip, 2, 1e-3);
         // The load moved by 2 m against the base, to a thousandth: the lips bend.
@@ -180,7 +181,7 @@ TEST(Sliding, a_block_that_slides_far_presses_where_it_stands) {
         for (const auto& [name, load] : push.balance.loads)
           if (name == "contact (moved)") moved = load.moment;
         EXPECT_NEAR(moved, -2e6, 1e3) << pairing << steps << order;
-        EXPECT_LT(push.balance.relative_error, 1e-10);
+        EXPECT_LT(push.balance.relative_error, 1e-9);
       }
 }
 
