@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 namespace ashlar::solve {
@@ -14,6 +15,8 @@ constexpr int most_statuses = 60;
 constexpr int most_newton_steps = 20;
 // Jumps that fit relative to the largest at hand: two digits above round-off.
 constexpr double fit = 1e-14;
+// Jumps that stay apart by more than this share are in no balance: a law jumps where it would be.
+constexpr double unbalanced = 1e-6;
 // A condensed matrix worse than this is singular to working accuracy.
 constexpr double singular = 1e-14;
 // Jumps so many times those of joints that touch everywhere are a body that rounding alone holds.
@@ -99,7 +102,9 @@ class StepMatrix {
     column_scale_ = matrix.cwiseAbs().colwise().maxCoeff().cwiseMax(1e-300).cwiseInverse();
     matrix = matrix * column_scale_.asDiagonal();
     factor_.compute(matrix);
-    rcond_ = matrix.allFinite() ? factor_.rcond() : 0;
+    // The estimate of the inverse may miss a singular direction; a pivot of round-off does not.
+    const Eigen::ArrayXd pivots = factor_.matrixLU().diagonal().array().abs();
+    rcond_ = matrix.allFinite() ? std::min(factor_.rcond(), pivots.minCoeff() / pivots.maxCoeff()) : 0;
   }
 
   const LocalTerms& terms_;
@@ -155,6 +160,7 @@ class Search {
       const int changed = update();
       add_row(number, changed, rows);
       if (changed > 0) continue;
+      if (residual_ > unbalanced) return {false, false, name_unbalanced()};
       if (terms_.settle(state_, unknown_)) {
         visited_.clear();
         one_ = false;
@@ -178,6 +184,7 @@ class Search {
       const double scale = std::max({largest(change_), largest(from_load_), largest(pressed), 1e-300});
       const double relative = largest(misfit) / scale;
       if (!std::isfinite(relative)) return -1;
+      misfit.cwiseAbs().maxCoeff(&worst_);
       if (largest(change_) > loose * std::max(largest(from_load_), largest(fixed_))) return -1;
       if (step > 0 && (relative < fit || (step > 1 && relative > 0.5 * before))) return relative;
       before = relative;
@@ -208,6 +215,15 @@ class Search {
 
   LocalResult not_held() const {
     return {false, true, "the joints do not hold a body that nothing else holds" + counts()};
+  }
+
+  std::string name_unbalanced() const {
+    std::size_t point = 0;
+    while (point + 1 < terms_.blocks().size() && terms_.blocks()[point + 1].first <= worst_) ++point;
+    char text[40];
+    std::snprintf(text, sizeof text, "%.1e", residual_);
+    return "no traction of the joint's law is in balance at " + terms_.point_name(point, state_) +
+           ": jumps stay off by " + text + " of the largest";
   }
 
   /// The last change let a body loose: only its worst point changes.
@@ -254,6 +270,7 @@ class Search {
   std::vector<std::int8_t> flipping_;  ///< the one before it
   bool loosened_ = false;              ///< a status was met that does not hold a body
   double residual_ = 0;
+  Index worst_ = 0;  ///< the component that fits least
   bool one_ = false;
 };
 

@@ -135,25 +135,6 @@ Case renumbered_row() {
   return row;
 }
 
-/// How far two runs of a scene in different units are from each other: steps, residuals, displacements.
-void compare_units(const test::SceneRun& si, const test::SceneRun& other, double metre, double bound,
-                   const std::string& name, Outcome& outcome) {
-  for (std::size_t s = 0; s < si.result.stages.size(); ++s) {
-    const model::StageResult &a = si.result.stages[s], &b = other.result.stages[s];
-    if (a.iterations.size() != b.iterations.size()) {
-      outcome.missing.push_back(name + ": another number of iterations in stage '" + a.name + "'");
-      return;
-    }
-    double most = 0;
-    for (std::size_t i = 0; i < a.iterations.size(); ++i)
-      most = std::max(most, std::abs(a.iterations[i].residual - b.iterations[i].residual));
-    outcome.worst(name + " residuals", most, bound);
-    std::vector<double> u = values(b, "displacement");
-    for (double& each : u) each /= metre;
-    outcome.worst(name + " u", relative_difference(u, values(a, "displacement")), bound);
-  }
-}
-
 Case units_row() {
   Case row;
   row.group = "Copies";

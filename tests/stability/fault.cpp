@@ -155,6 +155,12 @@ std::string words(Fault fault) {
       return "nothing that should stop it";
     case Fault::stronger:
       return "2 % more strength";
+    case Fault::reversed_gap:
+      return "one contact point's gap with the wrong sign";
+    case Fault::scaled_traction:
+      return "joints that hold 1 % more than they say";
+    case Fault::frozen_status:
+      return "joints that keep their status";
   }
   return {};
 }

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "model/model.hpp"
+#include "model/effect.hpp"
 
 namespace ashlar::stability {
 
@@ -18,9 +18,12 @@ enum class Fault {
   short_coordinates,   ///< cells see their corners with ten digits
   mismatched_tangent,  ///< one cell's stiffness is not the derivative of its forces
   stiff_rest,          ///< the stabilisation scales with λ, not with μ
-  lost_history,        ///< laws begin every step as if nothing had ever yielded
+  lost_history,        ///< laws begin every step as if nothing had ever yielded or slipped
   cured,               ///< the scene holds nothing that should stop it
   stronger,            ///< the strength in the scene is 2 % above what the row takes it for
+  reversed_gap,        ///< one contact point measures its gap with the wrong sign
+  scaled_traction,     ///< joints press and hold 1 % more than they say
+  frozen_status,       ///< joints keep the status that they begin with
 };
 
 std::string words(Fault fault);
@@ -32,5 +35,8 @@ std::shared_ptr<const model::Element> with_fault(std::shared_ptr<const model::El
 
 /// The law with the fault in it, or itself.
 std::shared_ptr<const model::Material> with_fault(std::shared_ptr<const model::Material> law, Fault fault);
+
+/// Puts the fault into the joints, if it is one of theirs.
+void plant_in_joints(model::Effects& effects, Fault fault);
 
 }  // namespace ashlar::stability

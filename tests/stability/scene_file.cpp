@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <iomanip>
 #include <stdexcept>
@@ -15,11 +16,13 @@ namespace ashlar::stability {
 namespace fs = std::filesystem;
 
 test::SceneRun run_scene(const std::string& name, const test::ParameterValues& set, Fault fault,
-                         const MakeSolver& solver) {
+                         const MakeSolver& solver, const Change& change) {
   const fs::path scene = fs::path(ASHLAR_SOURCE_DIR) / "tests" / "stability" / "scenes" / (name + ".lua");
   return test::run_scene(scene, set, [&](app::Scenario& scenario, model::Model& model) {
+    if (change) change(scenario);
     model.element = with_fault(model.element, fault, model.mesh);
     for (auto& law : model.materials) law = with_fault(law, fault);
+    plant_in_joints(scenario.effects, fault);
     if (!solver) return;
     scenario.registry.add_schema({"solver", "planted", "", "", {}});
     scenario.registry.add_make(
@@ -30,9 +33,9 @@ test::SceneRun run_scene(const std::string& name, const test::ParameterValues& s
 }
 
 std::string stopped_by(const std::string& name, const test::ParameterValues& set, Fault fault,
-                       const MakeSolver& solver) {
+                       const MakeSolver& solver, const Change& change) {
   try {
-    run_scene(name, set, fault, solver);
+    run_scene(name, set, fault, solver, change);
     return {};
   } catch (const core::InputError& error) {
     std::string words;
@@ -96,6 +99,34 @@ double relative_difference(const std::vector<double>& a, const std::vector<doubl
     scale = std::max(scale, std::abs(b[i]));
   }
   return most / scale;
+}
+
+void compare_units(const test::SceneRun& si, const test::SceneRun& other, double metre, double bound,
+                   const std::string& name, Outcome& outcome) {
+  for (std::size_t s = 0; s < si.result.stages.size(); ++s) {
+    const model::StageResult &a = si.result.stages[s], &b = other.result.stages[s];
+    if (a.iterations.size() != b.iterations.size()) {
+      outcome.missing.push_back(name + ": another number of iterations in stage '" + a.name + "'");
+      return;
+    }
+    double most = 0;
+    for (std::size_t i = 0; i < a.iterations.size(); ++i)
+      most = std::max(most, std::abs(a.iterations[i].residual - b.iterations[i].residual));
+    outcome.worst(name + " residuals", most, bound);
+    std::vector<double> u = values(b, "displacement");
+    for (double& each : u) each /= metre;
+    outcome.worst(name + " u", relative_difference(u, values(a, "displacement")), bound);
+  }
+}
+
+const model::JointResult& joint_of(const test::SceneRun& run, const std::string& stage, std::size_t number) {
+  return run.stage(stage).joints.at(number);
+}
+
+std::string digits(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", x);
+  return text;
 }
 
 }  // namespace ashlar::stability

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "stability/hard_meshes.hpp"
 #include "stability/scene_file.hpp"
@@ -11,12 +10,6 @@
 namespace ashlar::stability {
 
 namespace {
-
-std::string digits(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", x);
-  return text;
-}
 
 /// Squares of a block, the first column squeezed to `apart`.
 mesh::RawMesh standing_block(double apart) {

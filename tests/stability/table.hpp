@@ -76,5 +76,8 @@ std::vector<Case> copy_rows();
 std::vector<Case> solve_rows();
 std::vector<Case> load_rows();
 std::vector<Case> support_rows();
+std::vector<Case> contact_rows();
+std::vector<Case> crossing_rows();
+std::vector<Case> friction_rows();
 
 }  // namespace ashlar::stability
