@@ -1,10 +1,10 @@
--- A block pressed on another across a level joint, evenly or near one end, and pushed along it.
+-- A block pressed on another across a level joint, evenly or so that it opens at one end, between both, or at both.
 local kind = param { "enforce", default = "penalty", choices = { "penalty", "lagrange", "augmented" } }
 local factor = param { "factor", default = 100.0, doc = "of the penalty" }
 local stiffness = param { "stiffness", default = 0.0, doc = "of the penalty [Pa/m]; 0: by its factor" }
 local pairing = param { "pairing", default = "node_to_segment" }
 local order = param { "order", default = 1 }
-local even = param { "even", default = true, doc = "the pressure; else it leans to the left and the joint opens" }
+local load = param { "load", default = "even", choices = { "even", "one end", "both ends", "middle" }, doc = "where it presses" }
 local softer = param { "softer", default = 1.0, doc = "the block's modulus over the ground's" }
 local apart = param { "apart", default = false, doc = "the bodies are meshed apart" }
 local gap = param { "gap", default = 0.0, doc = "between them" }
@@ -15,6 +15,13 @@ local E, q = 10*u.GPa, 1*u.MPa
 local enforces = { lagrange = contact.lagrange {}, augmented = contact.augmented_lagrange {},
   penalty = stiffness > 0 and contact.penalty { stiffness = stiffness } or contact.penalty { factor = factor } }
 local lower, upper = material.elastic { E = E, nu = 0.3 }, material.elastic { E = softer*E, nu = 0.3 }
+
+local pressures = {
+  even = q,
+  ["one end"] = function(x) return q*(1 - x/2)^3 end,
+  ["both ends"] = function(x) return q*(10*(x - 1)^2 - 3) end,
+  middle = function(x) return q*(1 - 2*(x - 1)^2) end,
+}
 
 return Scene {
   title = "A pressed joint", plane = "strain",
@@ -29,6 +36,6 @@ return Scene {
   element = "vem", order = order,
   supports = { ["ground.bottom"] = "y", foot = Support { at = {0,0}, fix = "xy" },
                head = Support { at = {0,2 + gap}, fix = "x" } },
-  stages = { Stage { "press", pressures = { ["block.top"] = even and q or function(x) return q*(1 - x/2)^3 end } } },
+  stages = { Stage { "press", pressures = { ["block.top"] = pressures[load] } } },
   outputs = { fields = { "displacement", "stress" } },
 }
