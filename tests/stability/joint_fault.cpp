@@ -14,15 +14,19 @@ using model::Index;
 
 class FaultyJoints final : public model::LocalTerm {
  public:
-  FaultyJoints(std::shared_ptr<const model::LocalTerm> sound, Fault fault)
-      : LocalTerm(sound->effect()), sound_(std::move(sound)), fault_(fault), jumps_(sound_->jumps()) {
-    if (fault_ != Fault::reversed_gap) return;
-    const auto victim = static_cast<std::size_t>(jumps_.size() / jumps_.width / 2 * jumps_.width);
-    for (model::Jumps::Part& part : jumps_.parts[victim]) part.factor = -part.factor;
+  FaultyJoints(std::shared_ptr<model::LocalTerm> sound, Fault fault)
+      : LocalTerm(sound->effect()), sound_(std::move(sound)), fault_(fault) {
+    take_jumps();
   }
 
   std::span<const Index> touched() const override { return sound_->touched(); }
   const model::Jumps& jumps() const override { return jumps_; }
+  bool follows() const override { return sound_->follows(); }
+  bool follow(State& state) override {
+    const bool anew = sound_->follow(state);
+    take_jumps();
+    return anew;
+  }
   void respond(const State& state, std::span<const double> unknown,
                model::JumpResponse& response) const override {
     sound_->respond(state, unknown, response);
@@ -62,6 +66,12 @@ class FaultyJoints final : public model::LocalTerm {
   }
 
  private:
+  void take_jumps() {
+    jumps_ = sound_->jumps();
+    if (fault_ != Fault::reversed_gap) return;
+    const auto victim = static_cast<std::size_t>(jumps_.size() / jumps_.width / 2 * jumps_.width);
+    for (model::Jumps::Part& part : jumps_.parts[victim]) part.factor = -part.factor;
+  }
   /// Of each point's nine numbers: rest, path, dilation and the law's own.
   static void forget(State& state) {
     for (const std::string& name : state.names()) {
@@ -72,7 +82,7 @@ class FaultyJoints final : public model::LocalTerm {
     }
   }
 
-  std::shared_ptr<const model::LocalTerm> sound_;
+  std::shared_ptr<model::LocalTerm> sound_;
   Fault fault_;
   model::Jumps jumps_;
 };
@@ -92,7 +102,7 @@ class FaultyEffect final : public model::Effect {
  private:
   std::unique_ptr<model::Effect> sound_;
   Fault fault_;
-  std::map<std::shared_ptr<const model::LocalTerm>, std::shared_ptr<const model::LocalTerm>> made_;
+  std::map<std::shared_ptr<model::LocalTerm>, std::shared_ptr<model::LocalTerm>> made_;
 };
 
 }  // namespace

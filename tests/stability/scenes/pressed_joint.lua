@@ -20,7 +20,7 @@ local pressures = {
   even = q,
   ["one end"] = function(x) return q*(1 - x/2)^3 end,
   ["both ends"] = function(x) return q*(10*(x - 1)^2 - 3) end,
-  middle = function(x) return q*(1 - 2*(x - 1)^2) end,
+  middle = function(x) return q*(3 - 8*(x - 1)^2) end,
 }
 
 return Scene {
