@@ -18,7 +18,7 @@ constexpr double fit = 1e-14;
 // Jumps that stay apart by more than this share are in no balance: a law jumps where it would be.
 constexpr double unbalanced = 1e-6;
 // A condensed matrix worse than this is singular to working accuracy.
-constexpr double singular = 1e-14;
+constexpr double singular = 1e-13;
 // Jumps so many times those of joints that touch everywhere are a body that rounding alone holds.
 constexpr double loose = 1e7;
 // Constraints that repeat each other (where joints meet) are told apart by this share of the ground
@@ -148,8 +148,10 @@ class Search {
         return loosened_ ? not_held()
                          : LocalResult{false, false,
                                        name_cycle(terms_, state_, good_ != before ? good_ : flipping_)};
+      const Eigen::VectorXd start = unknown_;
       residual_ = solve_fixed_status();
       if (residual_ < 0) {
+        unknown_ = start;  // what a singular matrix made of it is of no use
         loosened_ = true;
         if (step_back() || ground()) continue;
         return not_held();
