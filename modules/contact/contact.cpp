@@ -121,7 +121,9 @@ std::shared_ptr<ContactTerm> Contact::make_term(const model::StageContext& conte
     JointContact joint = make_joint(context.model, lips, said->settings, context.mistakes);
     if (!joint.points.empty()) joints.push_back(std::move(joint));
   }
-  return std::make_shared<ContactTerm>(context.model, std::move(joints));
+  const core::Settings& rule = context.scene.root.object("cycle_rule");
+  return std::make_shared<ContactTerm>(context.model, std::move(joints),
+                                       registry_.make<MakeCycleRule>("cycle_rule", rule.name)(rule));
 }
 
 void Contact::contribute(const model::StageContext& context, model::Terms& terms) {

@@ -45,8 +45,9 @@ void put_unknowns(const Unknowns& own, Index component, std::span<double> all) {
 
 }  // namespace
 
-ContactTerm::ContactTerm(const model::Model& model, std::vector<JointContact> joints)
-    : LocalTerm("contact"), model_(model), joints_(std::move(joints)) {
+ContactTerm::ContactTerm(const model::Model& model, std::vector<JointContact> joints,
+                         std::shared_ptr<const CycleRule> rule)
+    : LocalTerm("contact"), model_(model), joints_(std::move(joints)), rule_(std::move(rule)) {
   for (std::size_t j = 0; j < joints_.size(); ++j)
     if (joints_[j].follow) followers_.push_back(make_follower(model, joints_[j], j));
   for (const Follower& follower : followers_) joints_[follower.joint].points = follower.alone;
@@ -239,7 +240,9 @@ int ContactTerm::update_status(State& state, const model::StatusChange& change,
   std::vector<Misfit> list = misfits(state, change, unknown);
   if (list.empty()) return 0;
   if (change.one) {
-    change_status(state, *std::ranges::max_element(list, {}, &Misfit::size), unknown);
+    std::vector<double> sizes;
+    for (const Misfit& misfit : list) sizes.push_back(misfit.size);
+    change_status(state, list[rule_->choose(sizes)], unknown);
     return 1;
   }
   slip_before_parting(state, list);

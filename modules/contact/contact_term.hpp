@@ -36,7 +36,8 @@ struct Follower {
 class ContactTerm final : public model::LocalTerm {
  public:
   /// Keeps a reference to the model.
-  ContactTerm(const model::Model& model, std::vector<JointContact> joints);
+  ContactTerm(const model::Model& model, std::vector<JointContact> joints,
+              std::shared_ptr<const CycleRule> rule);
 
   /// Adds the arrays that the points need.
   void add_state(fields::State& state);
@@ -102,6 +103,7 @@ class ContactTerm final : public model::LocalTerm {
   const model::Model& model_;
   std::unique_ptr<model::Model> moved_;  ///< with the lips where they are, for followers
   std::vector<JointContact> joints_;
+  std::shared_ptr<const CycleRule> rule_;
   std::vector<Follower> followers_;
   std::vector<Index> touched_;
   model::Jumps jumps_;

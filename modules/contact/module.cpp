@@ -1,6 +1,7 @@
 // What the module registers: the effect, and the entries of its four kinds of parts.
 
 #include "contact/contact.hpp"
+#include "contact/cycle_rules/cycle_rules.hpp"
 #include "contact/enforcement/augmented_lagrange/augmented_lagrange.hpp"
 #include "contact/enforcement/lagrange/lagrange.hpp"
 #include "contact/enforcement/penalty/penalty.hpp"
@@ -53,6 +54,12 @@ ASHLAR_MODULE(registry) {
                     }));
   add_pairings(registry);
   add_enforcements(registry);
+  registry.add_make("cycle_rule", "worst_point", std::function<MakeCycleRule>([](const Settings&) {
+                      return std::make_shared<WorstPoint>();
+                    }));
+  registry.add_make("cycle_rule", "first_point", std::function<MakeCycleRule>([](const Settings&) {
+                      return std::make_shared<FirstPoint>();
+                    }));
   register_laws(registry);
   registry.add_make("driven_joint", "contact_point",
                     std::function<model::MakeJointDriver>(make_joint_driver));

@@ -124,6 +124,12 @@ return {
           doc = "what presses, and pulls, across the lips" },
         { key = "friction", forms = { "object" }, kind = "friction", required = true, doc = "what resists sliding" },
       } },
+    { kind = "cycle_rule", name = "worst_point",
+      doc = "Once statuses of joints come round, points change one by one: the one that is wrong by the most energy.",
+      parameters = {} },
+    { kind = "cycle_rule", name = "first_point",
+      doc = "Once statuses of joints come round, points change one by one: the first of those that are wrong (Murty).",
+      parameters = {} },
     { kind = "enforcement", name = "penalty", constructor = "contact.penalty",
       doc = "Pressure proportional to the penetration.",
       parameters = {
@@ -149,6 +155,10 @@ return {
       } },
   },
   extends = {
+    scene = {
+      { key = "cycle_rule", forms = { "object" }, kind = "cycle_rule", default = "worst_point", numerical = true,
+        doc = "which point of the joints changes its status alone, once statuses have come round in a cycle" },
+    },
     joint = {
       { key = "friction", forms = { "object" }, kind = "friction",
         doc = "what resists sliding; required for every joint: \"none\", contact.coulomb { … }" },

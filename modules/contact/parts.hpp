@@ -69,8 +69,18 @@ class Enforcement {
   }
 };
 
-/// Modules register parts as kinds "pairing" and "enforcement".
+/// Which point changes its status alone, once statuses have come round in a cycle.
+class CycleRule {
+ public:
+  virtual ~CycleRule() = default;
+  /// `misfits`: energies by which statuses are wrong, by point, of those that are; not empty. Returns a place
+  /// in it.
+  virtual std::size_t choose(std::span<const double> misfits) const = 0;
+};
+
+/// Modules register parts as kinds "pairing", "enforcement" and "cycle_rule".
 using MakePairing = std::shared_ptr<const Pairing>(const core::Settings& settings);
+using MakeCycleRule = std::shared_ptr<const CycleRule>(const core::Settings& settings);
 using MakeEnforcement = std::shared_ptr<const Enforcement>(const core::Settings& settings);
 
 }  // namespace ashlar::contact

@@ -25,7 +25,8 @@ Lips::Lips(const model::Model& model, const mesh::JointLips& joint, int slave)
       slave_(joint.lips[slave]),
       master_(joint.lips[1 - slave]),
       slave_number_(slave),
-      apart_(joint.apart) {}
+      apart_(joint.apart),
+      near_(model.mesh.points, master_) {}
 
 Point Lips::normal(const LipEdge& edge) const {
   const auto [a, b] = model_.mesh.edge_points[edge.edge];
@@ -81,19 +82,38 @@ void Lips::shape(const LipEdge& edge, double t, std::vector<double>& values) con
   for (std::size_t i = 0; i + 2 < count; ++i) values[i + 1] = by_cell[along ? i + 2 : count - 1 - i];
 }
 
+std::vector<const LipEdge*> Lips::opposite_edges(const LipEdge& slave) const {
+  // Directions of pressure stand within 60° off the shortest way: at most twice as far.
+  const Point middle = place(slave, 0.5);
+  const double radius = 2 * near_.nearest_distance(middle) + 3 * length(slave);
+  std::vector<const LipEdge*> list;
+  if (!std::isfinite(radius)) return list;
+  for (const std::size_t i : near_.within(middle, radius))
+    if (facing(slave, master_[i])) list.push_back(&master_[i]);
+  return list;
+}
+
 const LipEdge* Lips::nearest_master(const LipEdge& slave, Point place, Point towards) const {
   const double slack = same_place * length(slave);
   const LipEdge* best = nullptr;
   double best_distance = std::numeric_limits<double>::infinity(), best_towards = best_distance;
-  for (const LipEdge& edge : master_) {
+  const auto take = [&](const LipEdge& edge) {
     const Point a = at(edge.from), b = at(edge.to);
     const double distance = geometry::distance_to_segment(place, a, b);
-    if (distance > best_distance + slack || !facing(slave, edge)) continue;
+    if (distance > best_distance + slack || !facing(slave, edge)) return;
     const double from_towards = geometry::distance_to_segment(towards, a, b);
-    if (distance >= best_distance - slack && from_towards >= best_towards - slack) continue;
+    if (distance >= best_distance - slack && from_towards >= best_towards - slack) return;
     best = &edge;
     best_distance = distance;
     best_towards = from_towards;
+  };
+  const double nearest = near_.nearest_distance(place);
+  if (!std::isfinite(nearest)) return nullptr;
+  // The nearest edge may belong to another leg of the joint: then farther ones are asked.
+  for (double radius = nearest + 2 * length(slave); best_distance > radius; radius *= 4) {
+    const std::vector<std::size_t> list = near_.within(place, radius);
+    for (const std::size_t i : list) take(master_[i]);
+    if (list.size() == master_.size()) break;
   }
   return best;
 }

@@ -2,6 +2,7 @@
 // The lips of a joint as pairings see them: edges with their normals and the nodes of their trace, for
 // elements of any order.
 
+#include "contact/pairing/near_edges.hpp"
 #include "contact/parts.hpp"
 
 namespace ashlar::contact {
@@ -54,6 +55,8 @@ class Lips {
   void shape(const mesh::LipEdge& edge, double t, std::vector<double>& values) const;
   /// Lips face each other within 60°; others belong to another leg of the joint.
   bool facing(const mesh::LipEdge& slave, const mesh::LipEdge& master) const;
+  /// Master edges that face a slave edge and may stand opposite some place of it.
+  std::vector<const mesh::LipEdge*> opposite_edges(const mesh::LipEdge& slave) const;
   /// The master edge nearest to a place on a slave edge; of equally near ones (corners, crossings) the one
   /// nearest to `towards`.
   const mesh::LipEdge* nearest_master(const mesh::LipEdge& slave, Point place, Point towards) const;
@@ -63,6 +66,7 @@ class Lips {
   const std::vector<mesh::LipEdge>&slave_, &master_;
   int slave_number_;
   bool apart_;
+  NearEdges near_;  ///< of the master
 };
 
 /// A node of a slave edge with what it stands for of that edge.

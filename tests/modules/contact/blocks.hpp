@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include "contact/contact_term.hpp"
+#include "contact/cycle_rules/cycle_rules.hpp"
 #include "contact/enforcement/penalty/penalty.hpp"
 #include "contact/friction/none/none.hpp"
 #include "contact/normal_laws/unilateral/unilateral.hpp"
@@ -140,7 +141,7 @@ inline ContactTerm contact_with(const model::Model& model, const Parts& parts) {
   for (const mesh::JointLips& lips : model.mesh.joints)
     joints.push_back(
         {lips.name, parts.law, parts.enforcement, parts.pairing->pair(model, lips, parts.slave), {}});
-  return ContactTerm(model, std::move(joints));
+  return ContactTerm(model, std::move(joints), std::make_shared<contact::WorstPoint>());
 }
 
 inline ContactTerm paper_contact(const model::Model& model, double factor, int slave = 0,

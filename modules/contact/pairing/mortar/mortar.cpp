@@ -32,12 +32,11 @@ std::vector<Segment> segments(const Lips& lips, const LipEdge& slave) {
   const double l2 = geometry::dot(d, d);
   std::vector<double> ends = {0, 1};
   std::vector<const LipEdge*> masters;
-  for (const LipEdge& master : lips.master()) {
-    if (!lips.facing(slave, master)) continue;
-    const double a = geometry::dot(lips.at(master.from) - x, d) / l2,
-                 b = geometry::dot(lips.at(master.to) - x, d) / l2;
+  for (const LipEdge* master : lips.opposite_edges(slave)) {
+    const double a = geometry::dot(lips.at(master->from) - x, d) / l2,
+                 b = geometry::dot(lips.at(master->to) - x, d) / l2;
     if (std::max(a, b) <= nothing || std::min(a, b) >= 1 - nothing) continue;
-    masters.push_back(&master);
+    masters.push_back(master);
     for (const double t : {a, b})
       if (t > nothing && t < 1 - nothing) ends.push_back(t);
   }
