@@ -43,7 +43,11 @@ model::Resultant closed_form(double level, double thickness) {
 
 Settings water_at(double level, const char* edge = "face") {
   Said water;
-  water.say("level", value(level)).say("on", list({value(edge)})).silent("unit_weight").silent("density");
+  water.say("level", value(level))
+      .say("on", list({value(edge)}))
+      .silent("joints")
+      .silent("unit_weight")
+      .silent("density");
   return Said().object("water", water.settings).settings;
 }
 
@@ -95,7 +99,7 @@ TEST(water, a_level_at_the_foot_or_below_leaves_the_face_dry_with_a_warning) {
 TEST(water, several_waters_add_up_and_density_gives_the_unit_weight) {
   const model::Model model = slanted_face(4, 1, 1);
   Said heavy;
-  heavy.say("level", value(20.0)).say("on", list({value("face"), value("face")}));
+  heavy.say("level", value(20.0)).say("on", list({value("face"), value("face")})).silent("joints");
   heavy.say("density", value(1000.0)).silent("unit_weight");
   Settings light = *water_at(20).entry("water").object;
   Water water;
