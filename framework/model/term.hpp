@@ -114,7 +114,7 @@ struct JumpResponse {
 /// How a status is chosen anew.
 struct StatusChange {
   double jump = 0;   ///< jumps below this are round-off [m]
-  bool one = false;  ///< only the point that violates its status most changes
+  bool one = false;  ///< only one point changes, which the term chooses
 };
 
 /// A nonlinear term in a few dofs only, through jumps of displacement: the bulk is factored once, and the

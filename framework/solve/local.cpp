@@ -206,8 +206,8 @@ class Search {
 
   Eigen::VectorXd displacement() const { return bulk_.displacement(load_, response_.traction, change_); }
 
-  /// A status came back: from here on points change one by one, the one that fits worst first. False if they
-  /// do so already.
+  /// A status came back: from here on points change one by one, as the term chooses them. False if they do
+  /// so already.
   bool break_cycle() {
     if (one_) return false;
     one_ = true;

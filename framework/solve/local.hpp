@@ -45,6 +45,9 @@ class Condensed {
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
 };
 
+/// force += Bᵀ A q of one term over all dofs, q: the trial state's tractions.
+void add_force(const model::LocalTerm& term, const fields::State& state, std::span<double> force);
+
 /// The local terms of a stage, joined: their touched dofs merged into one ascending list, their points'
 /// components put one after the other.
 class LocalTerms {

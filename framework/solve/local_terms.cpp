@@ -81,15 +81,17 @@ Eigen::VectorXd LocalTerms::jumps(const Eigen::VectorXd& u) const {
   return all;
 }
 
+void add_force(const model::LocalTerm& term, const fields::State& state, std::span<double> force) {
+  const model::Jumps& jumps = term.jumps();
+  std::vector<double> traction(static_cast<std::size_t>(jumps.size()));
+  term.tractions(state, traction);
+  for (Index i = 0; i < jumps.size(); ++i)
+    for (const model::Jumps::Part& part : jumps.parts[i])
+      force[term.touched()[part.place]] += part.factor * jumps.area[i] * traction[i];
+}
+
 void LocalTerms::add_force(const fields::State& state, std::span<double> force) const {
-  for (const auto& term : terms_) {
-    const model::Jumps& jumps = term->jumps();
-    std::vector<double> traction(static_cast<std::size_t>(jumps.size()));
-    term->tractions(state, traction);
-    for (Index i = 0; i < jumps.size(); ++i)
-      for (const model::Jumps::Part& part : jumps.parts[i])
-        force[term->touched()[part.place]] += part.factor * jumps.area[i] * traction[i];
-  }
+  for (const auto& term : terms_) solve::add_force(*term, state, force);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include "core/log.hpp"
 #include "geometry/polygon.hpp"
+#include "solve/local.hpp"
 
 namespace ashlar::solve {
 
@@ -90,19 +91,6 @@ void keep_axial(model::Balance& sums, model::Resultant& left) {
   for (model::Resultant* each : {&sums.load, &sums.reaction, &left}) keep(*each);
 }
 
-/// The nodal forces of joints by themselves, on the bodies: a moment where points have moved along each
-/// other.
-std::vector<double> joint_force(const model::LocalTerm& term, const fields::State& state, Index dofs) {
-  std::vector<double> force(static_cast<std::size_t>(dofs));
-  const model::Jumps& jumps = term.jumps();
-  std::vector<double> traction(static_cast<std::size_t>(jumps.size()));
-  term.tractions(state, traction);
-  for (Index i = 0; i < jumps.size(); ++i)
-    for (const model::Jumps::Part& part : jumps.parts[i])
-      force[term.touched()[part.place]] -= part.factor * jumps.area[i] * traction[i];
-  return force;
-}
-
 }  // namespace
 
 model::Balance balance(const model::Model& model, const model::StageData& stage, const StageForces& forces) {
@@ -130,8 +118,12 @@ model::Balance balance(const model::Model& model, const model::StageData& stage,
   }
   // Drawn where they were, bodies that have moved along each other press with a moment.
   for (const auto& term : forces.terms.local)
-    if (term->follows())
-      add_load(term->effect() + " (moved)", joint_force(*term, forces.state, model.dofs.size()));
+    if (term->follows()) {
+      std::vector<double> force(model.dofs.size());
+      add_force(*term, forces.state, force);
+      for (double& f : force) f = -f;  // from the joints on the bodies
+      add_load(term->effect() + " (moved)", force);
+    }
   std::vector<model::Resultant> reactions(stage.supports.size());
   double reaction_absolute = 0;
   for (Index dof = 0; dof < model.dofs.size(); ++dof) {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "contact/follow.hpp"
-#include "contact/pairing/lip.hpp"
 
 namespace ashlar::contact {
 
@@ -62,12 +61,7 @@ void ContactTerm::find_touched() {
         touched_.insert(touched_.end(), {share.dof, share.dof + 1});
   // What follows may come to touch any node of its lips.
   for (const Follower& follower : followers_)
-    for (const int side : {0, 1}) {
-      const Lips lips(model_, follower.lips, side);
-      for (const mesh::LipEdge& edge : lips.slave())
-        for (const TraceNode& node : lips.nodes(edge))
-          touched_.insert(touched_.end(), {node.dof, node.dof + 1});
-    }
+    for (const auto& [dof, at] : follower.place) touched_.insert(touched_.end(), {dof, dof + 1});
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
 }
@@ -199,7 +193,9 @@ std::vector<ContactTerm::Misfit> ContactTerm::misfits(const State& state, const 
   for_each([&](std::size_t j, std::size_t p, Index c) {
     const Unknowns own = unknowns_at(unknown, c);
     const Status now = trial(state, j, p).status;
-    const PointResponse response = answer(state, j, p, unknown.subspan(c, 2));
+    PointResponse response;
+    response.jump = all.jump.segment<2>(c);
+    response.traction = all.traction.segment<2>(c);
     const PointMemory before = committed(state, j, p);
     Status next = next_status(joints_[j].law, before, now, own, response, tolerance);
     if (next == now) return;

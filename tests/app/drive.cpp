@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include "program.hpp"
+#include "app/drive_support.hpp"
 
 namespace ashlar::test {
 namespace {
@@ -15,12 +15,6 @@ namespace {
 const fs::path uniaxial = source_folder / "modules/elasticity/materials/mohr_coulomb/uniaxial.lua";
 
 std::vector<std::map<std::string, double>> rows_of(const fs::path& csv) {
-  const auto cells = [](const std::string& line) {
-    std::vector<std::string> parts;
-    std::istringstream text(line);
-    for (std::string part; std::getline(text, part, ',');) parts.push_back(part);
-    return parts;
-  };
   std::istringstream lines(read(csv));
   std::string line;
   std::getline(lines, line);
@@ -32,16 +26,6 @@ std::vector<std::map<std::string, double>> rows_of(const fs::path& csv) {
     for (std::size_t i = 0; i < names.size(); ++i) row[names[i]] = std::stod(values.at(i));
   }
   return rows;
-}
-
-void expect_refused(const std::string& text, const std::vector<std::string>& messages) {
-  const ScratchFolder folder;
-  write(folder / "law.lua", text);
-  const Ended ended = call("drive law.lua", folder / "");
-  EXPECT_EQ(ended.code, 2) << ended.err;
-  for (const std::string& message : messages)
-    EXPECT_NE(ended.err.find(message), std::string::npos) << message << "\nwas expected, got\n" << ended.err;
-  EXPECT_FALSE(fs::exists(folder / "law_drive"));
 }
 
 TEST(drive, uniaxial_strength_is_that_of_the_closed_form) {

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include "program.hpp"
+#include "app/drive_support.hpp"
 
 namespace ashlar::test {
 namespace {
@@ -17,13 +17,6 @@ struct Row {
   std::string status;
   double operator[](const std::string& name) const { return numbers.at(name); }
 };
-
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> parts;
-  std::istringstream text(line);
-  for (std::string part; std::getline(text, part, ',');) parts.push_back(part);
-  return parts;
-}
 
 std::vector<Row> rows_of(const fs::path& csv) {
   std::istringstream lines(read(csv));
@@ -51,16 +44,6 @@ std::vector<Row> driven(const std::string& joint, const std::string& path, int s
   const Ended ended = call("drive law.lua --quiet", folder / "");
   EXPECT_EQ(ended.code, code) << ended.err;
   return fs::exists(folder / "law_drive") ? rows_of(folder / "law_drive/drive.csv") : std::vector<Row>();
-}
-
-void expect_refused(const std::string& text, const std::vector<std::string>& messages) {
-  const ScratchFolder folder;
-  write(folder / "law.lua", text);
-  const Ended ended = call("drive law.lua", folder / "");
-  EXPECT_EQ(ended.code, 2) << ended.err;
-  for (const std::string& message : messages)
-    EXPECT_NE(ended.err.find(message), std::string::npos) << message << "\nwas expected, got\n" << ended.err;
-  EXPECT_FALSE(fs::exists(folder / "law_drive"));
 }
 
 const std::string coulomb = "friction = contact.coulomb { friction_angle = 30*u.deg, cohesion = 0.1*u.MPa }";

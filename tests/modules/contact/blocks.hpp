@@ -171,11 +171,7 @@ inline std::vector<double> jumps_at(const ContactTerm& term, std::span<const dou
 inline Eigen::VectorXd force_of(const model::Model& model, const ContactTerm& term,
                                 const fields::State& state) {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(model.dofs.size());
-  std::vector<double> traction(term.jumps().size());
-  term.tractions(state, traction);
-  for (Index i = 0; i < term.jumps().size(); ++i)
-    for (const auto& part : term.jumps().parts[i])
-      force[term.touched()[part.place]] += part.factor * term.jumps().area[i] * traction[i];
+  ashlar::solve::add_force(term, state, {force.data(), static_cast<std::size_t>(force.size())});
   return force;
 }
 
