@@ -1,4 +1,4 @@
--- References: eight-node elements of CalculiX, spacing 25 mm, paired node to node: see README.md.
+-- Peaks of reference.csv, by CalculiX: see README.md.
 local flat_top, pole = 83.127, 83.961
 
 local function peak(reference, share, why)

@@ -215,14 +215,17 @@ bool has_calculix() {
   return std::system("command -v ccx >/dev/null 2>&1") == 0;
 }
 
+void call_calculix(const std::filesystem::path& folder, const std::string& job) {
+  const std::string call = "cd '" + folder.string() + "' && OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 ccx " +
+                           job + " >" + job + ".log 2>&1";
+  [[maybe_unused]] const int code = std::system(call.c_str());
+}
+
 CalculixRun run_calculix(const SceneRun& run, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "scene.inp") << calculix_input(run);
   const double before = children_cpu();
-  const std::string call =
-      "cd '" + folder.string() + "' && OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 ccx scene >scene.log 2>&1";
-  // Its exit code says little; the table says whether it finished.
-  [[maybe_unused]] const int code = std::system(call.c_str());
+  call_calculix(folder, "scene");
   return {read_calculix_table(run, folder / "scene.dat"), children_cpu() - before};
 }
 

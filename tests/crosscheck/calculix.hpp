@@ -24,6 +24,9 @@ ProbeMoves read_calculix_table(const SceneRun& run, const std::filesystem::path&
 
 /// Whether `ccx` can be called.
 bool has_calculix();
+/// Runs ccx, one thread, on JOB.inp in `folder`; what it says goes to JOB.log. Its exit code says little:
+/// whether it finished, its tables must show.
+void call_calculix(const std::filesystem::path& folder, const std::string& job);
 
 struct CalculixRun {
   ProbeMoves moves;

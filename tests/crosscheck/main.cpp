@@ -1,11 +1,19 @@
-// Prints the jointed dam's probes by Ashlar and by CalculiX, mesh after mesh, and how far they lie apart.
+// Prints the jointed dam's probes by Ashlar and by CalculiX, mesh after mesh, and how far they lie apart; or
+// the pressure of examples/hertz by CalculiX, its nodes at the contact SPACING metres apart; or draws it
+// beside Ashlar's.
 //   crosscheck [CELLS…]
+//   crosscheck hertz SPACING
+//   crosscheck hertz_picture FILE
 
 #include <cstdio>
 #include <exception>
+#include <fstream>
+#include <iostream>
 #include <optional>
 
 #include "crosscheck/compare.hpp"
+#include "crosscheck/hertz_picture.hpp"
+#include "crosscheck/hertz_reference.hpp"
 
 namespace {
 
@@ -36,21 +44,38 @@ void print_summary(const Comparison& now, const std::optional<Comparison>& befor
   std::fflush(stdout);
 }
 
+std::filesystem::path scratch() {
+  return std::filesystem::temp_directory_path() / "ashlar_crosscheck";
+}
+
+void print_dam(const std::vector<std::string>& words) {
+  std::vector<int> sizes;
+  for (const std::string& word : words) sizes.push_back(std::stoi(word));
+  if (sizes.empty()) sizes = {500, 2000, 8000, 20000};
+  std::optional<Comparison> before;
+  for (const int cells : sizes) {
+    Comparison now = compare_dam(cells, scratch());
+    print_table(now, before);
+    print_summary(now, before);
+    before = std::move(now);
+  }
+}
+
+void draw_hertz(const std::string& file) {
+  std::ofstream(file, std::ios::binary) << hertz_picture();
+}
+
 }  // namespace
 
 int main(int count, char** words) {
   try {
-    std::vector<int> sizes;
-    for (int i = 1; i < count; ++i) sizes.push_back(std::stoi(words[i]));
-    if (sizes.empty()) sizes = {500, 2000, 8000, 20000};
-    const auto folder = std::filesystem::temp_directory_path() / "ashlar_crosscheck";
-    std::optional<Comparison> before;
-    for (const int cells : sizes) {
-      Comparison now = compare_dam(cells, folder);
-      print_table(now, before);
-      print_summary(now, before);
-      before = std::move(now);
-    }
+    const std::vector<std::string> said(words + 1, words + count);
+    if (said.size() == 2 && said[0] == "hertz")
+      write_reference(std::cout, compute_reference(std::stod(said[1]), scratch()), std::stod(said[1]));
+    else if (said.size() == 2 && said[0] == "hertz_picture")
+      draw_hertz(said[1]);
+    else
+      print_dam(said);
     return 0;
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "crosscheck: %s\n", problem.what());

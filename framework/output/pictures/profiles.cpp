@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "output/pictures/legend.hpp"
 #include "output/pictures/profiles.hpp"
 
 namespace ashlar::output {
@@ -10,11 +11,10 @@ using geometry::Point;
 
 namespace {
 
-constexpr double left = 52, right = page_width - 14, first_top = 50, panel = 84, gap = 15, foot = 34,
-                 legend_row = 11;
+constexpr double left = 52, right = page_width - 14, first_top = 50, panel = 84, gap = 15, foot = 34;
 const LineStyle axis_line{{0.13, 0.14, 0.16}, 0.6};
 const LineStyle grid_line{{0.86, 0.87, 0.88}, 0.45};
-const TextStyle tick_style{7.5};
+const TextStyle tick_style = legend_style;
 
 TextStyle aligned(TextStyle style, Align align) {
   style.align = align;
@@ -159,30 +159,24 @@ void draw_panel(Canvas& canvas, const Profiles& profiles, std::size_t quantity, 
   canvas.text(15, top + panel / 2, profiles.quantities[quantity].symbol + in, turned);
 }
 
-/// Where each stage stands in the legend, in rows that do not leave the plot.
-std::vector<Point> legend_places(const std::vector<ProfileCurve>& curves) {
-  std::vector<Point> places;
-  Point at{left, 40};
-  for (const ProfileCurve& curve : curves) {
-    const double width = 17 + measured(curve.stage, tick_style);
-    if (at.x > left && at.x + width > right) at = {left, at.y + legend_row};
-    places.push_back(at);
-    at.x += width + 14;
-  }
-  return places;
+std::vector<Point> places_of(const std::vector<ProfileCurve>& curves) {
+  std::vector<std::string> names;
+  for (const ProfileCurve& curve : curves) names.push_back(curve.stage);
+  return legend_places(names, {left, 40}, right);
 }
 
 void draw_legend(Canvas& canvas, const std::vector<ProfileCurve>& curves) {
-  const std::vector<Point> places = legend_places(curves);
+  const std::vector<Point> places = places_of(curves);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const auto [x, y] = places[i];
-    canvas.line({x, y}, {x + 13, y}, {curves[i].color, 1.5});
-    canvas.text(x + 17, y + 2.6, canvas.fitted(curves[i].stage, right - x - 17, tick_style), tick_style);
+    canvas.line({x, y}, {x + legend_stroke, y}, {curves[i].color, 1.5});
+    canvas.text(x + legend_text, y + 2.6, canvas.fitted(curves[i].stage, right - x - legend_text, tick_style),
+                tick_style);
   }
 }
 
 double top_of(const Profiles& profiles) {
-  return first_top + legend_places(profiles.curves).back().y - 40;
+  return first_top + places_of(profiles.curves).back().y - 40;
 }
 
 double bottom_of(const Profiles& profiles) {

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "output/pictures/chart.hpp"
 #include "output/pictures/labels.hpp"
+#include "output/pictures/legend.hpp"
 #include "output/pictures/pictures.hpp"
 #include "output/pictures/values.hpp"
 #include "output/tables.hpp"
@@ -217,6 +220,30 @@ TEST(profile, a_peak_does_not_take_the_axis_and_is_told) {
     EXPECT_EQ(text.markup.find("[MPa]"), std::string::npos);
   }
   EXPECT_TRUE(told);
+}
+
+Chart chart_of(int curves) {
+  Chart chart{"*x*", "*y*", {1, "m"}, {1, "Pa"}, {}};
+  for (int i = 0; i < curves; ++i)
+    chart.curves.push_back({"curve with the number " + std::to_string(i), {{0, 1.0 * i}, {1, 50.0}}});
+  return chart;
+}
+
+TEST(chart, its_legend_takes_the_rows_that_it_needs) {
+  const Chart chart = chart_of(7);
+  expect_tidy({"chart", page_height(chart), [&](Canvas& canvas) { draw_chart(canvas, chart, 0); }},
+              "seven curves");
+  EXPECT_DOUBLE_EQ(page_height(chart), page_height(chart_of(1)) + 3 * legend_row) << "two curves a row";
+}
+
+TEST(chart, axes_are_as_long_as_asked) {
+  Chart chart = chart_of(1);
+  chart.y_range = {{-2, 2}};
+  std::vector<std::string> texts;
+  for (const TextBox& text : page_texts([&](Canvas& canvas) { draw_chart(canvas, chart, 0); }))
+    texts.push_back(text.markup);
+  EXPECT_NE(std::ranges::find(texts, "−2"), texts.end());
+  EXPECT_EQ(std::ranges::find(texts, "50"), texts.end()) << "the curve goes there";
 }
 
 }  // namespace
