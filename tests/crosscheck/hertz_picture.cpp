@@ -72,23 +72,22 @@ struct Part {
   Chart chart;
 };
 
-double draw(output::Canvas* canvas, const std::vector<Part>& parts) {
+double height_of(const Part& part) {
+  return (part.heading.empty() ? 0 : heading) + output::page_height(part.chart);
+}
+
+void draw(output::Canvas& canvas, const std::vector<Part>& parts) {
+  output::draw_title(
+      canvas, "Hertz: pressure along the contact",
+      "above *p*(*x*), below its difference to the reference by CalculiX; *x* from the axis of symmetry");
+  output::TextStyle bold;
+  bold.bold = true;
   double top = title;
-  if (canvas)
-    output::draw_title(
-        *canvas, "Hertz: pressure along the contact",
-        "above *p*(*x*), below its difference to the reference by CalculiX; *x* from the axis of symmetry");
   for (const Part& part : parts) {
-    if (!part.heading.empty()) {
-      output::TextStyle style;
-      style.bold = true;
-      if (canvas) canvas->text(52, top + 10, part.heading, style);
-      top += heading;
-    }
-    if (canvas) output::draw_chart(*canvas, part.chart, top);
-    top += output::page_height(part.chart);
+    canvas.text(52, top + 10, part.heading, bold);
+    output::draw_chart(canvas, part.chart, top + (part.heading.empty() ? 0 : heading));
+    top += height_of(part);
   }
-  return top;
 }
 
 }  // namespace
@@ -103,7 +102,9 @@ std::string hertz_picture() {
                      chart_of_pressure(curves)});
     parts.push_back({"", chart_of_difference(curves, reference)});
   }
-  return output::png_page(draw(nullptr, parts), [&](output::Canvas& canvas) { draw(&canvas, parts); });
+  double height = title;
+  for (const Part& part : parts) height += height_of(part);
+  return output::png_page(height, [&](output::Canvas& canvas) { draw(canvas, parts); });
 }
 
 }  // namespace ashlar::test
