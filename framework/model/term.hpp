@@ -117,6 +117,12 @@ struct StatusChange {
   bool one = false;  ///< only one point changes, which the term chooses
 };
 
+/// What came of it.
+struct StatusUpdate {
+  int changed = 0;             ///< points
+  double complementarity = 0;  ///< by how much the status before broke the laws where it did worst, over h
+};
+
 /// A nonlinear term in a few dofs only, through jumps of displacement: the bulk is factored once, and the
 /// iteration stays on those jumps. Each point has `width` unknowns of its own, tractions or jumps by its
 /// status (closed, open, slipping …), from which both follow: stiff, rigid and free points are equally well
@@ -138,9 +144,9 @@ class LocalTerm : public Term {
   virtual void begin(const fields::State& state, std::span<const double> jump,
                      std::span<double> unknown) const = 0;
   /// Chooses the status that fits the unknowns and stores it in the trial state, with new unknowns where it
-  /// changed; returns how many points changed.
-  virtual int update_status(fields::State& state, const StatusChange& change,
-                            std::span<double> unknown) const = 0;
+  /// changed.
+  virtual StatusUpdate update_status(fields::State& state, const StatusChange& change,
+                                     std::span<double> unknown) const = 0;
   /// Closes the point that `motion` (a change of the jumps) lets touch first, of those that are open; false
   /// if there is none.
   virtual bool close_first(fields::State&, std::span<const double> /*motion*/,

@@ -159,9 +159,9 @@ class Search {
       if (good_ != before) flipping_ = good_;
       good_ = before;
       good_unknown_ = unknown_;
-      const int changed = update();
-      add_row(number, changed, rows);
-      if (changed > 0) continue;
+      const model::StatusUpdate update = update_status();
+      add_row(number, update, rows);
+      if (update.changed > 0) continue;
       if (residual_ > unbalanced) return {false, false, name_unbalanced()};
       if (terms_.settle(state_, unknown_)) {
         visited_.clear();
@@ -198,7 +198,7 @@ class Search {
     return before;
   }
 
-  int update() {
+  model::StatusUpdate update_status() {
     const Eigen::VectorXd u = displacement();
     const model::StatusChange change{displacement_digits * std::max(largest(u), largest(u_)), one_};
     return terms_.update_status(state_, change, unknown_);
@@ -237,7 +237,7 @@ class Search {
     unknown_ = good_unknown_;
     terms_.respond(state_, unknown_, response_);
     change_ = response_.jump - fixed_;
-    return update() > 0;
+    return update_status().changed > 0;
   }
 
   /// A body that nothing holds moves with its load until a point touches.
@@ -252,8 +252,9 @@ class Search {
     return words.empty() ? "" : " (" + words + ")";
   }
 
-  void add_row(int number, int changed, std::vector<model::Iteration>& rows) {
-    model::Iteration row{1, number, residual_, {{"changed", changed}}};
+  void add_row(int number, const model::StatusUpdate& update, std::vector<model::Iteration>& rows) {
+    model::Iteration row{
+        1, number, residual_, {{"changed", update.changed}, {"complementarity", update.complementarity}}};
     for (auto& fact : terms_.facts(state_, unknown_)) row.facts.push_back(std::move(fact));
     rows.push_back(std::move(row));
   }

@@ -75,7 +75,8 @@ class LocalTerms {
   void respond(const fields::State& state, const Eigen::VectorXd& unknown,
                model::JumpResponse& response) const;
   void begin(const fields::State& state, const Eigen::VectorXd& jump, Eigen::VectorXd& unknown) const;
-  int update_status(fields::State& state, const model::StatusChange& change, Eigen::VectorXd& unknown) const;
+  model::StatusUpdate update_status(fields::State& state, const model::StatusChange& change,
+                                    Eigen::VectorXd& unknown) const;
   bool close_first(fields::State& state, const Eigen::VectorXd& motion, Eigen::VectorXd& unknown) const;
   bool settle(fields::State& state, const Eigen::VectorXd& unknown) const;
   std::vector<std::int8_t> status(const fields::State& state) const;

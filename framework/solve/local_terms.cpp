@@ -131,12 +131,15 @@ void LocalTerms::begin(const fields::State& state, const Eigen::VectorXd& jump,
                      part_of(unknown, first_[t], first_[t + 1]));
 }
 
-int LocalTerms::update_status(fields::State& state, const model::StatusChange& change,
-                              Eigen::VectorXd& unknown) const {
-  int changed = 0;
-  for (std::size_t t = 0; t < terms_.size() && !(change.one && changed > 0); ++t)
-    changed += terms_[t]->update_status(state, change, part_of(unknown, first_[t], first_[t + 1]));
-  return changed;
+model::StatusUpdate LocalTerms::update_status(fields::State& state, const model::StatusChange& change,
+                                              Eigen::VectorXd& unknown) const {
+  model::StatusUpdate all;
+  for (std::size_t t = 0; t < terms_.size() && !(change.one && all.changed > 0); ++t) {
+    const auto own = terms_[t]->update_status(state, change, part_of(unknown, first_[t], first_[t + 1]));
+    all.changed += own.changed;
+    all.complementarity = std::max(all.complementarity, own.complementarity);
+  }
+  return all;
 }
 
 bool LocalTerms::close_first(fields::State& state, const Eigen::VectorXd& motion,

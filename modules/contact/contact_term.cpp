@@ -183,13 +183,13 @@ void ContactTerm::begin(const State& state, std::span<const double> jump, std::s
   });
 }
 
-std::vector<ContactTerm::Misfit> ContactTerm::misfits(const State& state, const model::StatusChange& change,
-                                                      std::span<const double> unknown) const {
+ContactTerm::Misfits ContactTerm::misfits(const State& state, const model::StatusChange& change,
+                                          std::span<const double> unknown) const {
   model::JumpResponse all;
   respond(state, unknown, all);
   const double most = all.traction.size() ? all.traction.lpNorm<Eigen::Infinity>() : 0;
   const Tolerance tolerance{traction_digits * most, change.jump};
-  std::vector<Misfit> list;
+  Misfits found;
   for_each([&](std::size_t j, std::size_t p, Index c) {
     const Unknowns own = unknowns_at(unknown, c);
     const Status now = trial(state, j, p).status;
@@ -197,16 +197,14 @@ std::vector<ContactTerm::Misfit> ContactTerm::misfits(const State& state, const 
     response.jump = all.jump.segment<2>(c);
     response.traction = all.traction.segment<2>(c);
     const PointMemory before = committed(state, j, p);
+    const double wrong = violation(joints_[j].law, before, now, own, response, jumps_.ground[c]);
+    found.complementarity = std::max(found.complementarity, wrong / joints_[j].points[p].h);
     Status next = next_status(joints_[j].law, before, now, own, response, tolerance);
     if (next == now) return;
     if (!touching(now)) next = predicted(joints_[j].law, before, response.jump, jumps_.ground[c]);
-    // Energy by which the status is wrong: tractions times the displacement that they would cause.
-    const double ground = jumps_.ground[c];
-    const double size = jumps_.area[c] * (touching(now) ? response.traction.squaredNorm() / ground
-                                                        : response.jump.squaredNorm() * ground);
-    list.push_back({j, p, c, next, size, response});
+    found.list.push_back({j, p, c, next, wrong, response});
   });
-  return list;
+  return found;
 }
 
 // Shear that lips could not bear tilts the bodies: what it pulls open slips first, and parts if it still
@@ -231,19 +229,20 @@ void ContactTerm::change_status(State& state, const Misfit& misfit, std::span<do
                misfit.component, unknown);
 }
 
-int ContactTerm::update_status(State& state, const model::StatusChange& change,
-                               std::span<double> unknown) const {
-  std::vector<Misfit> list = misfits(state, change, unknown);
-  if (list.empty()) return 0;
+model::StatusUpdate ContactTerm::update_status(State& state, const model::StatusChange& change,
+                                               std::span<double> unknown) const {
+  auto [list, complementarity] = misfits(state, change, unknown);
+  if (list.empty()) return {0, complementarity};
   if (change.one) {
-    std::vector<double> sizes;
-    for (const Misfit& misfit : list) sizes.push_back(misfit.size);
-    change_status(state, list[rule_->choose(sizes)], unknown);
-    return 1;
+    std::vector<double> energies;  // by which statuses are wrong
+    for (const auto& [j, p, c, next, wrong, response] : list)
+      energies.push_back(jumps_.area[c] * jumps_.ground[c] * wrong * wrong);
+    change_status(state, list[rule_->choose(energies)], unknown);
+    return {1, complementarity};
   }
   slip_before_parting(state, list);
   for (const Misfit& misfit : list) change_status(state, misfit, unknown);
-  return static_cast<int>(list.size());
+  return {static_cast<int>(list.size()), complementarity};
 }
 
 bool ContactTerm::close_first(State& state, std::span<const double> motion, std::span<double> unknown) const {

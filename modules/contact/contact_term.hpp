@@ -50,8 +50,8 @@ class ContactTerm final : public model::LocalTerm {
                model::JumpResponse& response) const override;
   void begin(const fields::State& state, std::span<const double> jump,
              std::span<double> unknown) const override;
-  int update_status(fields::State& state, const model::StatusChange& change,
-                    std::span<double> unknown) const override;
+  model::StatusUpdate update_status(fields::State& state, const model::StatusChange& change,
+                                    std::span<double> unknown) const override;
   bool close_first(fields::State& state, std::span<const double> motion,
                    std::span<double> unknown) const override;
   bool settle(fields::State& state, std::span<const double> unknown) const override;
@@ -82,16 +82,20 @@ class ContactTerm final : public model::LocalTerm {
   Hold hold(const fields::State& state, std::size_t joint, std::size_t point) const;
   PointResponse answer(const fields::State& state, std::size_t joint, std::size_t point,
                        std::span<const double> unknown) const;
-  /// A point that is to change, and how badly its status fits.
+  /// A point that is to change, and by how much its status breaks the laws [m].
   struct Misfit {
     std::size_t joint = 0, point = 0;
     Index component = 0;
     Status next = Status::open;
-    double size = 0;
+    double violation = 0;
     PointResponse response;
   };
-  std::vector<Misfit> misfits(const fields::State& state, const model::StatusChange& change,
-                              std::span<const double> unknown) const;
+  struct Misfits {
+    std::vector<Misfit> list;
+    double complementarity = 0;
+  };
+  Misfits misfits(const fields::State& state, const model::StatusChange& change,
+                  std::span<const double> unknown) const;
   void slip_before_parting(const fields::State& state, std::vector<Misfit>& list) const;
   void change_status(fields::State& state, const Misfit& misfit, std::span<double> unknown) const;
   bool augment(fields::State& state, std::size_t joint, std::span<const double> unknown, Index first) const;

@@ -155,6 +155,11 @@ struct Tolerance {
 Status next_status(const JointLaw& law, const PointMemory& committed, Status status, const Unknowns& unknowns,
                    const PointResponse& response, const Tolerance& tolerance);
 
+/// By how much a status breaks the laws [m], 0 where it fits: overlap of open lips; pull or shear beyond the
+/// strength over the ground stiffness [Pa/m]; slip that turned back.
+double violation(const JointLaw& law, const PointMemory& committed, Status status, const Unknowns& unknowns,
+                 const PointResponse& response, double ground);
+
 /// What is to be remembered of this solution.
 PointMemory remember(const JointLaw& law, const Hold& hold, const PointMemory& committed, Status status,
                      const Unknowns& unknowns);

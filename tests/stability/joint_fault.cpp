@@ -37,9 +37,10 @@ class FaultyJoints final : public model::LocalTerm {
   void begin(const State& state, std::span<const double> jump, std::span<double> unknown) const override {
     sound_->begin(state, jump, unknown);
   }
-  int update_status(State& state, const model::StatusChange& change,
-                    std::span<double> unknown) const override {
-    return fault_ == Fault::frozen_status ? 0 : sound_->update_status(state, change, unknown);
+  model::StatusUpdate update_status(State& state, const model::StatusChange& change,
+                                    std::span<double> unknown) const override {
+    return fault_ == Fault::frozen_status ? model::StatusUpdate{}
+                                          : sound_->update_status(state, change, unknown);
   }
   bool close_first(State& state, std::span<const double> motion, std::span<double> unknown) const override {
     return sound_->close_first(state, motion, unknown);

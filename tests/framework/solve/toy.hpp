@@ -61,6 +61,7 @@ class Springs : public model::Stiffness {
         if (where[at] >= 0) value[where[at]] += matrix_(i, j);
   }
   void add_internal_force(std::span<const double> u, std::span<double> force) const override {
+    ++evaluations;
     Eigen::Map<Eigen::Matrix<double, 8, 1>>(force.data()) +=
         matrix_ * Eigen::Map<const Eigen::Matrix<double, 8, 1>>(u.data());
   }
@@ -70,6 +71,7 @@ class Springs : public model::Stiffness {
         {"displacement", "m", model::FieldResult::On::points, 2, {"x", "y"}, {u.begin(), u.end()}});
   }
   const Eigen::Matrix<double, 8, 8>& matrix() const { return matrix_; }
+  mutable int evaluations = 0;  ///< of forces
 
  private:
   algebra::Adjacency groups_;
@@ -139,11 +141,11 @@ class Stop : public model::LocalTerm {
   void begin(const fields::State&, std::span<const double> jump, std::span<double> unknown) const override {
     unknown[0] = jump[0];
   }
-  int update_status(fields::State& state, const model::StatusChange&,
-                    std::span<double> unknown) const override {
+  model::StatusUpdate update_status(fields::State& state, const model::StatusChange&,
+                                    std::span<double> unknown) const override {
     const bool was = closed(state), now = choose_(unknown[0], was);
     state.trial(status_)[0] = now;
-    return was != now;
+    return {was != now, 0};
   }
   bool close_first(fields::State& state, std::span<const double> motion, std::span<double>) const override {
     if (closed(state) || motion[0] >= 0) return false;
@@ -187,11 +189,11 @@ class ShyStop : public Stop {
       : Stop(state, dof, stiffness, {}), reach_(reach) {
     flips_ = state.add("shy.flips." + std::to_string(dof), 1);
   }
-  int update_status(fields::State& state, const model::StatusChange&,
-                    std::span<double> unknown) const override {
-    if (std::abs(unknown[0] - state.committed(0)[touched()[0]]) <= reach_) return 0;
+  model::StatusUpdate update_status(fields::State& state, const model::StatusChange&,
+                                    std::span<double> unknown) const override {
+    if (std::abs(unknown[0] - state.committed(0)[touched()[0]]) <= reach_) return {};
     state.trial(flips_)[0] = 1 - state.trial(flips_)[0];
-    return 1;
+    return {1, 0};
   }
   std::vector<std::int8_t> status(const fields::State& state) const override {
     return {static_cast<std::int8_t>(state.trial(flips_)[0])};
