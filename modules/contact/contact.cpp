@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contact/laws.hpp"
+#include "contact/repeated.hpp"
 #include "core/log.hpp"
 #include "mesh/match_lips.hpp"
 
@@ -121,6 +122,10 @@ std::shared_ptr<ContactTerm> Contact::make_term(const model::StageContext& conte
     JointContact joint = make_joint(context.model, lips, said->settings, context.mistakes);
     if (!joint.points.empty()) joints.push_back(std::move(joint));
   }
+  if (const int joined = join_repeated(joints); joined > 0)
+    core::log().info(
+        "where joints meet or turn, " + std::to_string(joined) +
+        " rigid points repeat what others hold: each is held in the mean with the next of its joint");
   const core::Settings& rule = context.scene.root.object("cycle_rule");
   return std::make_shared<ContactTerm>(context.model, std::move(joints),
                                        registry_.make<MakeCycleRule>("cycle_rule", rule.name)(rule));

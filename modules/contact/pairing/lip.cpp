@@ -150,22 +150,6 @@ bool same_point(const ContactPoint& a, const ContactPoint& b, bool apart) {
   return true;
 }
 
-/// The mean jump of both halves, by their lengths.
-void merge_shares(ContactPoint& one, const ContactPoint& other) {
-  const double all = one.length + other.length;
-  for (ContactPoint::Share& share : one.shares) share.factor *= one.length / all;
-  for (const ContactPoint::Share& share : other.shares) {
-    const auto found = std::ranges::find(one.shares, share.dof, &ContactPoint::Share::dof);
-    const double factor = share.factor * other.length / all;
-    if (found == one.shares.end())
-      one.shares.push_back({share.dof, factor, share.at, share.slave});
-    else
-      found->factor += factor;
-  }
-  one.gap = (one.length * one.gap + other.length * other.gap) / all;
-  one.overlap = std::max(one.overlap, other.overlap);
-}
-
 }  // namespace
 
 std::vector<SlavePart> slave_parts(const Lips& lips) {
@@ -191,6 +175,21 @@ ContactPoint begin_point(const Lips& lips, const SlavePart& part, const LipEdge&
   point.at = part.node.at;
   point.piece = part.piece;
   return point;
+}
+
+void merge_shares(ContactPoint& one, const ContactPoint& other) {
+  const double all = one.area + other.area;
+  for (ContactPoint::Share& share : one.shares) share.factor *= one.area / all;
+  for (const ContactPoint::Share& share : other.shares) {
+    const auto found = std::ranges::find(one.shares, share.dof, &ContactPoint::Share::dof);
+    const double factor = share.factor * other.area / all;
+    if (found == one.shares.end())
+      one.shares.push_back({share.dof, factor, share.at, share.slave});
+    else
+      found->factor += factor;
+  }
+  one.gap = (one.area * one.gap + other.area * other.gap) / all;
+  one.overlap = std::max(one.overlap, other.overlap);
 }
 
 // On a curve the normal is that of both parts' pressure, L n = L₁ n₁ + L₂ n₂, so that a uniform pressure

@@ -84,6 +84,9 @@ std::vector<SlavePart> slave_parts(const Lips& lips);
 /// What a slave part alone gives a contact point: all but its partner.
 ContactPoint begin_point(const Lips& lips, const SlavePart& part, const mesh::LipEdge& master);
 
+/// `one` gets the mean jump and gap of both, by their areas.
+void merge_shares(ContactPoint& one, const ContactPoint& other);
+
 /// Appends the point of one part: both parts of a node on a straight or curved lip become one contact point;
 /// at a corner they stay two.
 void append(const Lips& lips, std::vector<ContactPoint>& points, ContactPoint point);

@@ -1,5 +1,5 @@
 -- A square pressed evenly from all sides, cut by joints of mixed laws: each must carry the same pressure.
-local cut = param { "cut", default = "X", choices = { "X", "T", "inner", "mouth", "through", "cell", "wall" } }
+local cut = param { "cut", default = "X", choices = { "X", "rough X", "T", "rough T", "bent", "inner", "mouth", "through", "cell", "wall" } }
 local enforce = param { "enforce", default = "lagrange" }
 local pairing = param { "pairing", default = "node_to_segment" }
 local edges = param { "edges", default = false, doc = "the left and lower edges are held; else three corners" }
@@ -14,6 +14,9 @@ end
 local joints = ({
   X = function() return { a = joint({ {0,0.7}, {2,1.2} }, "none"), b = joint({ {0.6,0}, {1.3,2} }, rough, stiff) } end,
   T = function() return { a = joint({ {0,0.7}, {2,1.2} }, rough), b = joint({ {1,0.95}, {1.3,2} }, "none") } end,
+  ["rough X"] = function() return { a = joint({ {0,0.7}, {2,1.2} }, rough), b = joint({ {0.6,0}, {1.3,2} }, rough) } end,
+  ["rough T"] = function() return { a = joint({ {0,0.7}, {2,1.2} }, rough), b = joint({ {1,0.95}, {1.3,2} }, rough) } end,
+  bent = function() return { a = joint({ {0,0.7}, {0.9,1.3}, {2,1.2} }, rough) } end,
   inner = function() return { a = joint({ {0.53,0.71}, {1.37,1.13} }, "none") } end,
   mouth = function() return { a = joint({ {0,0.71}, {1.37,1.13} }, rough) } end,
   cell = function() return { a = joint({ {0,0.9}, {1.13,1.07} }, rough) } end,   -- in a mesh of rows and columns
