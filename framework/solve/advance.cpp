@@ -152,6 +152,18 @@ double most_force_at_start(const LocalTerms& local, const StepTarget& target, st
   return std::max({largest(target.load), largest(residual), 1e-300});
 }
 
+/// Bulk part of the residual in free dofs when the step begins. In balance K u = f₀ − c, with f₀ the load
+/// then and c the joints' forces, so that K u − f = f₀ − c − f without K u: exactly 0 where nothing changes.
+std::vector<double> residual_at_start(const Bulk& bulk, const LocalTerms& local, const StepTarget& target,
+                                      fields::State& state) {
+  if (target.balanced.empty()) return bulk_residual(bulk, target.load, state);
+  std::vector<double> residual(target.load.size());
+  local.add_force(state, residual);
+  for (std::size_t dof = 0; dof < residual.size(); ++dof)
+    residual[dof] = target.balanced[dof] - target.load[dof] - residual[dof];
+  return residual;
+}
+
 /// Moves held dofs to their places; false if they are there.
 bool move_held(const model::Constraints& constraints, const StepTarget& target, std::span<double> u) {
   bool moved = false;
@@ -178,7 +190,7 @@ StepReport solve_linear(const Bulk& bulk, LocalTerms& local, const model::Constr
   StepReport report;
   const std::span<double> u = state.trial(displacement);
   double most_u = largest(u);
-  std::vector<double> residual = bulk_residual(bulk, target.load, state);
+  std::vector<double> residual = residual_at_start(bulk, local, target, state);
   const double most_force = most_force_at_start(local, target, residual, state);
   bool current = !move_held(constraints, target, u);
   std::vector<double> change;

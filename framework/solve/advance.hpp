@@ -10,6 +10,9 @@ namespace ashlar::solve {
 struct StepTarget {
   std::span<const double> load;        ///< external force by dof [N]
   std::span<const double> prescribed;  ///< displacement of held dofs [m]; others ignored
+  /// The load that the committed state is in balance with, by the same bulk, joints and free dofs: forces
+  /// then change by loads alone, and few dofs have any. Empty if that is not known.
+  std::span<const double> balanced = {};
 };
 
 struct StepReport {

@@ -46,6 +46,7 @@ struct Prepared {
 struct Ended {
   fields::State state;
   std::vector<double> load;
+  int equations = -1;  ///< whose balance it is
 };
 
 class March {
@@ -96,13 +97,15 @@ class March {
   /// The state and load that stage `s` starts from.
   Ended start_of(std::size_t s) const {
     const int parent = in_.scene.stages[s].parent;
-    if (parent < 0) return {state_, std::vector<double>(in_.model.dofs.size())};
+    if (parent < 0) return {state_, std::vector<double>(in_.model.dofs.size()), -1};
     return ended_[parent];
   }
 
   LocalTerms& local_for(const Prepared& ready) {
-    if (!local_ || !local_->serves(ready.terms.local, ready.constraints))
+    if (!local_ || !local_->serves(ready.terms.local, ready.constraints)) {
       local_.emplace(ready.terms.local, ready.constraints);
+      ++equations_;
+    }
     return *local_;
   }
 
@@ -110,6 +113,7 @@ class March {
     const BulkTerms terms{ready.terms.stiffness, ready.terms.nonlinear};
     result.factored = !bulk_ || !bulk_->serves(terms, ready.constraints, local.touched());
     if (result.factored) {
+      ++equations_;
       bulk_.reset();  // frees the old factor first
       local.bulk_changed();
       bulk_.emplace(in_.model, terms, ready.constraints, local.touched(), make_solver(terms.symmetric()));
@@ -172,7 +176,8 @@ class March {
     const double largest = 1.0 / steps_of(in_.scene.stages[stage_]);
     double reached = 0, size = largest;
     int step = 1;
-    std::vector<double> load(ready.load.size()), prescribed(ready.load.size());
+    std::vector<double> load(ready.load.size()), prescribed(ready.load.size()), balanced;
+    if (start.equations == equations_) balanced = start.load;
     while (reached < 1) {
       const double to = reached + size > 1 - 1e-9 ? 1.0 : reached + size;
       for (std::size_t dof = 0; dof < load.size(); ++dof) {
@@ -180,7 +185,7 @@ class March {
         const double end = ready.constraints.at_value[dof] ? ready.constraints.value[dof] : from[dof];
         prescribed[dof] = to == 1 ? end : from[dof] + to * (end - from[dof]);
       }
-      StepReport report = take_step(bulk, local, ready.constraints, {load, prescribed});
+      StepReport report = take_step(bulk, local, ready.constraints, {load, prescribed, balanced});
       for (model::Iteration row : report.iterations) {
         row.step = step;
         observer_.iterated(row);
@@ -191,6 +196,7 @@ class March {
       if (report.converged) {
         state_.commit();
         out_of_balance_ = std::move(report.out_of_balance);
+        balanced = load;
         reached = to;
         size = std::min({1.0 - reached, 2 * size, largest});
         ++step;
@@ -215,8 +221,9 @@ class March {
 
   /// One step. Points that move along each other are paired where the step begins, and then where it ends.
   StepReport take_step(Bulk& bulk, LocalTerms& local, const model::Constraints& constraints,
-                       const StepTarget& target) {
+                       StepTarget target) {
     const bool moving = local.follow(state_);
+    if (moving) target.balanced = {};
     StepReport report = advance(bulk, local, constraints, target, state_);
     if (!moving || !report.converged) return report;
     local.follow(state_);
@@ -283,7 +290,7 @@ class March {
       core::log().warning("stage '" + result.name + "': loads and reactions differ by " +
                           std::to_string(100 * result.balance.relative_error) + " %");
     add_extremes(in_.model, result);
-    ended_.push_back({state_, ready.load});
+    ended_.push_back({state_, ready.load, equations_});
     drop_unneeded(s);
   }
 
@@ -331,6 +338,7 @@ class March {
   std::vector<Index> probe_points_;
   std::vector<double> out_of_balance_;  ///< at the stage's end; empty if the last step did not tell
   std::size_t stage_ = 0;               ///< at work
+  int equations_ = 0;                   ///< counts bulks and joints: states of the same number obey the same
   std::optional<Bulk> bulk_;
   std::optional<LocalTerms> local_;
 };

@@ -6,6 +6,8 @@
 #include <limits>
 #include <new>
 
+#include "suitesparse/supernodes.hpp"
+
 namespace ashlar::suitesparse {
 
 using algebra::FactorReport;
@@ -33,26 +35,6 @@ cholmod_dense view(double* values, std::size_t rows) {
   dense.xtype = CHOLMOD_REAL;
   return dense;
 }
-
-/// The supernodes of a factor: columns of equal structure, stored as dense columns of all their rows.
-struct Supernodes {
-  explicit Supernodes(const cholmod_factor& factor)
-      : count(static_cast<Index>(factor.nsuper)),
-        first_column(static_cast<const int*>(factor.super)),
-        rows_at(static_cast<const int*>(factor.pi)),
-        values_at(static_cast<const int*>(factor.px)),
-        row(static_cast<const int*>(factor.s)),
-        value(static_cast<const double*>(factor.x)) {}
-  Index rows(Index s) const { return rows_at[s + 1] - rows_at[s]; }
-  /// Column j of supernode s, from its row `first_column[s]` on.
-  const double* column(Index s, Index j) const {
-    return value + values_at[s] + static_cast<std::ptrdiff_t>(j - first_column[s]) * rows(s);
-  }
-
-  Index count;
-  const int *first_column, *rows_at, *values_at, *row;
-  const double* value;
-};
 
 }  // namespace
 
@@ -206,14 +188,6 @@ void Cholesky::extract_kept_factor() {
   for (Index k = 0; k < count; ++k) schur_(k, k) -= shift_[static_cast<std::size_t>(k)];
 }
 
-void Cholesky::triangular_solve(int system, std::vector<double>& values) const {
-  const OneThread one_thread;
-  cholmod_dense b = ashlar::suitesparse::view(values.data(), values.size());
-  if (!cholmod_solve2(system, factor_.get(), &b, nullptr, &solution_, nullptr, &y_, &e_, common_))
-    throw std::bad_alloc();
-  std::memcpy(values.data(), solution_->x, values.size() * sizeof(double));
-}
-
 void Cholesky::solve(std::span<const double> b, std::span<double> x) const {
   assert(kept_.empty() && b.size() == static_cast<std::size_t>(size()) && x.size() == b.size());
   std::copy(b.begin(), b.end(), x.begin());
@@ -229,7 +203,7 @@ Eigen::VectorXd Cholesky::condense(std::span<const double> b, std::vector<double
   const auto* unknown = static_cast<const int*>(factor_->Perm);
   work.resize(b.size());
   for (std::size_t i = 0; i < b.size(); ++i) work[i] = b[unknown[i]];
-  triangular_solve(CHOLMOD_L, work);
+  solve_lower(Supernodes(*factor_), work);
   // L y = b: what is left for the kept unknowns is L_kk y_k = b_k − L_ki y_i.
   const Eigen::Map<const Eigen::VectorXd> y(work.data() + interior(), static_cast<Index>(kept_.size()));
   return kept_factor_.triangularView<Eigen::Lower>() * y;
@@ -242,7 +216,7 @@ void Cholesky::expand(const std::vector<double>& work, const Eigen::VectorXd& ke
   std::vector<double> values = work;
   Eigen::Map<Eigen::VectorXd>(values.data() + interior(), kept_values.size()) =
       kept_factor_.transpose().triangularView<Eigen::Upper>() * kept_values;
-  triangular_solve(CHOLMOD_Lt, values);
+  solve_lower_transposed(Supernodes(*factor_), values);
   const auto* unknown = static_cast<const int*>(factor_->Perm);
   for (std::size_t i = 0; i < values.size(); ++i) x[unknown[i]] = values[i];
   for (std::size_t k = 0; k < kept_.size(); ++k) x[kept_[k]] = kept_values[static_cast<Index>(k)];

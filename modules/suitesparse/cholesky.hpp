@@ -30,8 +30,6 @@ class Cholesky final : public algebra::LinearSolver {
   cholmod_sparse view() const;
   bool breakdown(algebra::FactorReport& report) const;
   void extract_kept_factor();
-  /// values = L⁻¹ values or L⁻ᵀ values, in the order of elimination.
-  void triangular_solve(int system, std::vector<double>& values) const;
   Index size() const { return static_cast<Index>(column_start_.size()) - 1; }
   Index interior() const { return size() - static_cast<Index>(kept_.size()); }
 

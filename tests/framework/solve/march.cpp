@@ -47,6 +47,33 @@ TEST(March, SolvesEachStageAndFactorsOnce) {
   EXPECT_NEAR(result.stages[1].balance.load.moment, -30, 1e-12);
 }
 
+// The second stage starts from the balance of the first, the joint's force included, and asks only what
+// changed.
+TEST(March, GoesOnFromABalanceWithAJoint) {
+  World world = pushed_square();
+  std::shared_ptr<toy::Stop> stop;
+  constexpr double stiffness = 1e6;
+  world.contribute([&](const auto& context, auto& terms) {
+    terms.stiffness.push_back(world.springs);
+    terms.loads.push_back(std::make_shared<toy::PointLoad>(x2, context.stage.name == "first" ? 10 : 30));
+    if (!stop)
+      stop = std::make_shared<toy::Stop>(context.state, y2, stiffness, [](double, bool) { return true; });
+    terms.local.push_back(stop);
+  });
+  const auto result = world.run();
+  ASSERT_TRUE(result.converged);
+  EXPECT_FALSE(result.stages[1].factored);
+  Eigen::Matrix4d k = world.springs->matrix().bottomRightCorner<4, 4>();
+  k(y2 - 4, y2 - 4) += stiffness;
+  const Eigen::Vector4d u = k.llt().solve(Eigen::Vector4d(10, 0, 0, 0));
+  for (const toy::Index dof : {x2, y2, x3, y3}) {
+    EXPECT_NEAR(World::u(result, 0, dof), u[dof - 4], 1e-13 * u.norm());
+    EXPECT_NEAR(World::u(result, 1, dof), 3 * u[dof - 4], 1e-13 * u.norm());
+  }
+  EXPECT_EQ(world.springs->evaluations, 3)
+      << "before and after the first solve, after the second: none refined";
+}
+
 TEST(March, TakesAllLoadOffAgain) {
   World world = pushed_square();
   world.contribute([&](const auto& context, auto& terms) {

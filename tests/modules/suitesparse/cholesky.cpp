@@ -104,6 +104,17 @@ TEST_P(EachOrdering, condenses_to_the_kept_unknowns) {
   check_kept(Case(9, 7, 5), {3, 4, 40, 41, 42, 90, 91, 120}, GetParam());
 }
 
+// Columns of the factor that a load on few unknowns does not reach are passed over.
+TEST_P(EachOrdering, condenses_a_load_on_few_unknowns) {
+  Case c(19, 17, 5);
+  const Eigen::VectorXd all = c.right;
+  c.right.setZero();
+  for (const Index i : {11, 12, 300}) c.right[i] = all[i];
+  check_kept(c, {3, 4, 40, 41, 42, 90, 91, 120}, GetParam());
+  c.right.setZero();
+  check_kept(c, {3, 4, 40, 41}, GetParam());
+}
+
 // A line of kept unknowns across the grid: they cut the graph in two pieces.
 TEST_P(EachOrdering, keeps_a_cut_last) {
   std::vector<Index> kept(20);
