@@ -10,6 +10,7 @@
 #include "mesh/face_lips.hpp"
 #include "mesh/generator.hpp"
 #include "mesh/groups.hpp"
+#include "mesh/near_lines.hpp"
 #include "solve/sections.hpp"
 
 namespace ashlar::solve {
@@ -218,6 +219,7 @@ model::Model build_model(const model::Scene& scene, const model::Effects& effect
   built.mesh = build_mesh(scene, domains, registry, mistakes);
   if (!mistakes.empty()) return built;
   mesh::add_face_joints(built.mesh, joint_lines(scene));
+  mesh::require_lines_apart(built.mesh, joint_lines(scene));
   for (const auto& [name, effect] : effects) effect->shape_mesh(scene, built.mesh, mistakes);
   if (built.axisymmetric()) check_axis(built.mesh, mesh::together(domains).length, scene, mistakes);
   if (!mistakes.empty()) return built;

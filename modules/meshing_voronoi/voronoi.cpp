@@ -9,6 +9,7 @@
 #include "core/registry.hpp"
 #include "corners.hpp"
 #include "cover.hpp"
+#include "mesh/near_lines.hpp"
 #include "relax.hpp"
 
 namespace ashlar::meshing_voronoi {
@@ -84,6 +85,7 @@ double area_of(const mesh::Domain& domain) {
 // Scales the base size until about the wished number of cells fits; interior sites then make it exact.
 Plan plan_cells(const mesh::Domain& domain, const core::Settings& settings, Index cells) {
   double size = std::sqrt(area_of(domain) / cells);
+  mesh::require_lines_apart(domain, mesh::SizeField::read(domain, settings, size));
   for (int round = 0;; ++round) {
     Plan plan = plan_sizes(domain, mesh::SizeField::read(domain, settings, size));
     const Cover cover(domain, plan.sizes, plan.border);
@@ -101,7 +103,9 @@ Plan plan_cells(const mesh::Domain& domain, const core::Settings& settings, Inde
 
 Plan make_plan(const mesh::Domain& domain, const core::Settings& settings) {
   if (settings.has("cells")) return plan_cells(domain, settings, settings.integer("cells"));
-  Plan plan = plan_sizes(domain, mesh::SizeField::read(domain, settings, 1.0));
+  mesh::SizeField wish = mesh::SizeField::read(domain, settings, 1.0);
+  mesh::require_lines_apart(domain, wish);
+  Plan plan = plan_sizes(domain, std::move(wish));
   plan.free = -1;
   return plan;
 }

@@ -124,11 +124,18 @@ TEST(voronoi, conforms_without_collapse_and_without_iterations) {
 }
 
 TEST(voronoi, conforms_to_random_polygons_with_random_joints) {
+  int too_near = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
     const Domain domain = random_domain(seed);
-    const RawMesh mesh = generate(domain, GeneratorSettings().set("size", 0.4).set("seed", seed));
-    EXPECT_EQ(Conformity(domain, mesh).faults(), "") << "seed " << seed;
+    try {
+      const RawMesh mesh = generate(domain, GeneratorSettings().set("size", 0.4).set("seed", seed));
+      EXPECT_EQ(Conformity(domain, mesh).faults(), "") << "seed " << seed;
+    } catch (const core::InputError& error) {
+      ++too_near;
+      EXPECT_NE(std::string(error.what()).find("the mesh cannot tell them apart"), std::string::npos);
+    }
   }
+  EXPECT_LE(too_near, 6);
 }
 
 TEST(voronoi, the_check_sees_a_moved_point_and_a_missing_cell) {
