@@ -22,7 +22,7 @@ struct Request {
 std::vector<Case> all_rows(const std::string& only) {
   std::vector<Case> all;
   for (const auto& rows : {mesh_rows(), law_rows(), copy_rows(), solve_rows(), load_rows(), support_rows(),
-                           contact_rows(), crossing_rows(), friction_rows()})
+                           contact_rows(), crossing_rows(), friction_rows(), cycle_rows(), sliding_rows()})
     for (const Case& row : rows)
       if (row.name.find(only) != std::string::npos || row.group.find(only) != std::string::npos)
         all.push_back(row);

@@ -79,5 +79,7 @@ std::vector<Case> support_rows();
 std::vector<Case> contact_rows();
 std::vector<Case> crossing_rows();
 std::vector<Case> friction_rows();
+std::vector<Case> cycle_rows();
+std::vector<Case> sliding_rows();
 
 }  // namespace ashlar::stability
