@@ -239,6 +239,7 @@ std::vector<fs::path> write_study(const CommandLine& line, const study::Study& s
   output::Transaction transaction(folder);
   output::write_file(transaction.file("study.html"), study::study_page(study, outcomes, analysis, line.text));
   output::write_file(transaction.file("study.csv"), study::study_csv(study, outcomes, analysis));
+  output::write_file(transaction.file("study.md"), study::study_markdown(study, outcomes));
   output::write_file(transaction.file("study.json"), study::study_json(study, outcomes, analysis));
   return transaction.commit();
 }

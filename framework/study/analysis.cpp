@@ -62,7 +62,7 @@ class Examiner {
   }
 
   void find_limits(Finding& finding) const {
-    if (study_.refine.empty()) return;
+    if (study_.refine.empty() || study_.measures[finding.measure].compared_with("none")) return;
     for (const Series& series : series_) {
       if (series.problem != finding.problem) continue;
       std::vector<Refined> runs;
@@ -75,7 +75,7 @@ class Examiner {
   void find_reference(Finding& finding) const {
     const Measure& measure = study_.measures[finding.measure];
     Reference& reference = finding.reference;
-    if (finding.readings.empty()) return;
+    if (finding.readings.empty() || measure.compared_with("none")) return;
     if (measure.compared_with("finest")) return take_finest(finding);
     if (measure.compared_with("richardson")) return take_limit(finding);
     reference.value = exact_(measure, study_.cases[finding.readings.front().one]);
@@ -224,8 +224,8 @@ bool join_problems(std::vector<Series>& series) {
 Analysis analyse(const Study& study, const std::vector<Outcome>& outcomes, const Exact& exact) {
   Analysis analysis;
   analysis.series = make_series(study, outcomes);
-  const bool exact_only =
-      std::ranges::none_of(study.measures, [](const Measure& m) { return m.reference.text(); });
+  const bool exact_only = std::ranges::none_of(
+      study.measures, [](const Measure& m) { return m.reference.text() && !m.compared_with("none"); });
   const bool joined = study.refine.empty() && exact_only && join_problems(analysis.series);
   double least = 1e300, most = 0;
   for (const Outcome& outcome : outcomes) {

@@ -109,13 +109,14 @@ void check_measures(const Study& study, const Facts& facts, core::Mistakes& mist
   for (const Measure& measure : study.measures) Checker(measure, facts, mistakes).check();
 }
 
-std::string unit_of(const std::string& quantity) {
+std::string unit_of(const Measure& measure) {
+  if (!measure.cost.empty()) return measure.cost == "iterations" ? "" : "s";
   const auto among = [&](std::initializer_list<const char*> words) {
-    return std::ranges::any_of(words, [&](const char* word) { return quantity == word; });
+    return std::ranges::any_of(words, [&](const char* word) { return measure.quantity == word; });
   };
   if (among({"ux", "uy", "u", "max_slip", "max_opening", "max_penetration"})) return "m";
   if (among({"sxx", "syy", "sxy", "szz", "s1", "s3", "von_mises", "max_pressure"})) return "Pa";
-  return quantity == "normal_force" ? "N" : "";
+  return measure.quantity == "normal_force" ? "N" : "";
 }
 
 }  // namespace ashlar::study

@@ -20,28 +20,37 @@ using model::operator|;  // NOLINT(misc-unused-using-decls)
 
 core::Schema measure() {
   const auto text = [](const char* key, const char* doc) { return parameter(key, Form::text, doc); };
-  return {"measure",
-          "measure",
-          "",
-          "One number of every run, and what it is compared with.",
-          {text("title", "what it is, in words: \"settlement of the crest\"; the measure's name by default"),
-           text("stage", "the stage it is read in; the last one by default"),
-           text("probe", "a probe of the scene"),
-           text("minus", "a probe that is taken off: the jump between two lips"),
-           text("joint", "a joint of the scene"),
-           text("quantity",
-                "of a probe ux, uy, u (length of the displacement) or a stress; of a joint normal_force, "
-                "max_slip, max_opening, max_penetration, penetration_over_h or max_pressure"),
-           text("at", "any number of the results for machines: \"stages.full.balance.load.x\""),
-           parameter(
-               "reference", Form::number | Form::text | Form::function,
-               "what is right: a number, a function of the case's parameters, \"finest\" (the run with most "
-               "unknowns), or \"richardson\" (the limit that refined runs tend to, with its uncertainty)") |
-               otherwise(make_value(std::string("richardson"))) | model::one_of({"richardson", "finest"})},
-          {{{"probe", "joint", "at"}},
-           {{"joint", "minus", "at"}, 0, 1},
-           {{"stage", "at"}, 0, 1},
-           {{"at", "quantity"}, 1, 1}}};
+  return {
+      "measure",
+      "measure",
+      "",
+      "One number of every run, and what it is compared with.",
+      {text("title", "what it is, in words: \"settlement of the crest\"; the measure's name by default"),
+       text("stage", "the stage it is read in; the last one by default"),
+       text("probe", "a probe of the scene"),
+       text("minus", "a probe that is taken off: the jump between two lips"),
+       text("joint", "a joint of the scene"),
+       text("quantity",
+            "of a probe ux, uy, u (length of the displacement) or a stress; of a joint normal_force, "
+            "max_slip, max_opening, max_penetration, penetration_over_h or max_pressure"),
+       text("cost",
+            "what it costs instead: iterations (of the stage, or of all), or cpu or wall, the time of the "
+            "run or of one effect in it [s], the best of the repeats; not compared with anything unless "
+            "a reference is said") |
+           model::one_of({"iterations", "cpu", "wall"}),
+       text("effect", "whose time that is: \"contact\""),
+       text("at", "any number of the results for machines: \"stages.full.balance.load.x\""),
+       parameter(
+           "reference", Form::number | Form::text | Form::function,
+           "what is right: a number, a function of the case's parameters, \"finest\" (the run with most "
+           "unknowns), \"richardson\" (the limit that refined runs tend to, with its uncertainty), or "
+           "\"none\"") |
+           otherwise(make_value(std::string("richardson"))) |
+           model::one_of({"richardson", "finest", "none"})},
+      {{{"probe", "joint", "at", "cost"}},
+       {{"joint", "minus", "at", "cost"}, 0, 1},
+       {{"stage", "at", "effect"}, 0, 1},
+       {{"at", "quantity", "cost"}, 1, 1}}};
 }
 
 core::Schema study() {

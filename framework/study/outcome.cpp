@@ -87,6 +87,27 @@ std::optional<double> read_probe(const json& stage, const Measure& measure, cons
   return second ? std::optional(*first - *second) : std::nullopt;
 }
 
+/// Iterations of the stage or of all of them; the time of the run or of an effect in it.
+std::optional<double> read_cost(const json& results, const Measure& measure, const RunRecord& record) {
+  double sum = 0;
+  bool found = false;
+  if (measure.cost == "iterations") {
+    for (const json& stage : results.at("stages")) {
+      if (!measure.stage.empty() && stage.value("name", "") != measure.stage) continue;
+      sum += static_cast<double>(stage.at("iterations").size());
+      found = true;
+    }
+    return found ? std::optional(sum) : std::nullopt;
+  }
+  if (measure.effect.empty()) return measure.cost == "cpu" ? record.cpu : record.wall;
+  for (const json& row : results.at("timings")) {
+    if (row.at("effect") != measure.effect) continue;
+    sum += row.at(measure.cost).get<double>();
+    found = true;
+  }
+  return found ? std::optional(sum) : std::nullopt;
+}
+
 std::optional<double> read_value(const json& results, const Measure& measure) {
   if (!measure.at.empty()) return number_at(results, measure.at);
   const json* stage = nullptr;
@@ -115,11 +136,19 @@ void read_size(const json& results, Outcome& outcome) {
       outcome.unknowns = std::max(outcome.unknowns, stage.at("solve").at("unknowns").get<double>());
 }
 
-void read_values(const Study& study, const json& results, Outcome& outcome) {
-  for (const Measure& measure : study.measures) {
-    outcome.values.push_back(read_value(results, measure));
-    if (!outcome.values.back())
-      outcome.missing.push_back("its results lack the measure '" + measure.name + "'");
+/// Values are those of the first run; of costs, the least of all runs counts.
+void read_values(const Study& study, const json& results, const RunRecord& record, Outcome& outcome) {
+  const bool first = outcome.values.empty();
+  for (std::size_t m = 0; m < study.measures.size(); ++m) {
+    const Measure& measure = study.measures[m];
+    if (measure.cost.empty() && !first) continue;
+    const auto value =
+        measure.cost.empty() ? read_value(results, measure) : read_cost(results, measure, record);
+    if (first)
+      outcome.values.push_back(value);
+    else if (value && outcome.values[m])
+      outcome.values[m] = std::min(*value, *outcome.values[m]);
+    if (first && !value) outcome.missing.push_back("its results lack the measure '" + measure.name + "'");
   }
 }
 
@@ -172,10 +201,8 @@ Outcome read_outcome(const Study& study, const std::filesystem::path& folder, co
     }
     const json results = read_json(results_file(folder, name, i + 1));
     if (results.is_discarded()) continue;
-    if (outcome.runs.empty()) {
-      read_size(results, outcome);
-      read_values(study, results, outcome);
-    }
+    if (outcome.runs.empty()) read_size(results, outcome);
+    read_values(study, results, run, outcome);
     outcome.runs.push_back(read_run(run, results));
   }
   outcome.ok = !outcome.runs.empty();

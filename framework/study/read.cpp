@@ -151,7 +151,11 @@ Value without_units(const Value& study, Mistakes& mistakes) {
     if (!measure.table()) continue;
     core::Table table = *measure.table();
     const Value* quantity = table.find("quantity");
-    const std::string unit = quantity && quantity->text() ? unit_of(*quantity->text()) : "";
+    const Value* cost = table.find("cost");
+    Measure measured;
+    if (quantity && quantity->text()) measured.quantity = *quantity->text();
+    if (cost && cost->text()) measured.cost = *cost->text();
+    const std::string unit = unit_of(measured);
     for (auto& [key, value] : table.entries) {
       const core::Quantity* q = value.quantity();
       if (key != "reference" || !q || q->bare) continue;
@@ -165,6 +169,16 @@ Value without_units(const Value& study, Mistakes& mistakes) {
   for (auto& [key, value] : changed.entries)
     if (key == "measure") value = core::make_value(list, value.place);
   return core::make_value(std::move(changed), study.place);
+}
+
+void check_cost(const Measure& measure, Mistakes& mistakes) {
+  const bool time = measure.cost == "cpu" || measure.cost == "wall";
+  if (!measure.effect.empty() && !time)
+    mistakes.add(measure.settings.place_of("effect"), "only times are told by effect",
+                 "for example cost = \"cpu\", effect = \"contact\"");
+  if (!measure.stage.empty() && time)
+    mistakes.add(measure.settings.place_of("stage"), "times are those of the whole run",
+                 "leave the stage out");
 }
 
 std::vector<Measure> read_measures(const Settings& root, Mistakes& mistakes) {
@@ -183,7 +197,12 @@ std::vector<Measure> read_measures(const Settings& root, Mistakes& mistakes) {
     measure.joint = word("joint");
     measure.quantity = word("quantity");
     measure.at = word("at");
+    measure.cost = word("cost");
+    measure.effect = word("effect");
+    check_cost(measure, mistakes);
     measure.reference = settings.value("reference");
+    if (!measure.cost.empty() && !settings.said("reference"))
+      measure.reference = core::make_value(std::string("none"));
     measures.push_back(std::move(measure));
   }
   if (measures.empty() && root.value("measure").table())

@@ -63,6 +63,18 @@ class Teller {
     return {text + "."};
   }
 
+  /// What is not compared with anything has a least and a greatest value.
+  std::vector<std::string> tell_spread() const {
+    if (finding_.readings.empty()) return {};
+    const auto [least, most] = std::ranges::minmax_element(finding_.readings, {}, &Reading::value);
+    const auto value = [&](const Reading& r) { return output::short_quantity(r.value, unit_of(measure_)); };
+    std::string text = opening(measure_.title) + ": " + value(*least);
+    if (value(*least) == value(*most))
+      return {text + (finding_.readings.size() > 1 ? " in every case." : ".")};
+    text += " (" + label(study_.cases[least->one]) + ") to " + value(*most);
+    return {text + " (" + label(study_.cases[most->one]) + ")."};
+  }
+
   std::vector<std::string> tell() const {
     if (front_.empty()) return {};
     if (front_.back().error == 0)
@@ -97,7 +109,7 @@ class Teller {
   }
 
   std::string accuracy(double error) const {
-    return accuracy_text(error, finding_.absolute, unit_of(measure_.quantity));
+    return accuracy_text(error, finding_.absolute, unit_of(measure_));
   }
 
   /// Relative uncertainty of the reference; 0 where it is not known.
@@ -154,6 +166,7 @@ class Teller {
 std::vector<std::string> sentences_of(const Study& study, Finding& finding,
                                       const std::vector<Outcome>& outcomes, bool sizes_differ) {
   const Teller teller(study, finding, outcomes);
+  if (study.measures[finding.measure].compared_with("none")) return teller.tell_spread();
   if (!sizes_differ) return teller.tell_errors();
   finding.ladder = teller.ladder();
   return teller.tell();

@@ -31,8 +31,10 @@ struct Measure {
   std::string probe, minus;  ///< a probe, less another one
   std::string joint;
   std::string quantity;   ///< "uy", "max_slip"
+  std::string cost;       ///< "iterations", "cpu" or "wall", instead of all that
+  std::string effect;     ///< whose time it is; "" the whole run's
   std::string at;         ///< a path into the results for machines, instead of all that
-  core::Value reference;  ///< a number, a function of the case, or the word "richardson" or "finest"
+  core::Value reference;  ///< a number, a function of the case, or the word "richardson", "finest" or "none"
   core::Settings settings;
 
   bool compared_with(const std::string& word) const { return reference.text() && *reference.text() == word; }
@@ -70,7 +72,7 @@ Facts facts_of(const model::Scene& scene);
 /// Reports every measure that the case with these facts lacks.
 void check_measures(const Study& study, const Facts& facts, core::Mistakes& mistakes);
 
-/// SI unit of a quantity's values: "m", "Pa", "N"; "" where none is known.
-std::string unit_of(const std::string& quantity);
+/// SI unit of a measure's values: "m", "Pa", "N", "s"; "" where none is known.
+std::string unit_of(const Measure& measure);
 
 }  // namespace ashlar::study

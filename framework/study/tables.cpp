@@ -39,7 +39,7 @@ std::string heading(const Study& study) {
   line += ",mesh cells,h [m],unknowns,wall [s],worst wall [s],cpu [s],memory [B]";
   for (const char* part : part_names) line += "," + std::string(part) + " [s]";
   for (const Measure& measure : study.measures) {
-    const std::string unit = unit_of(measure.quantity);
+    const std::string unit = unit_of(measure);
     line += "," + output::csv_field(measure.name + (unit.empty() ? "" : " [" + unit + "]"));
     for (const char* what : {"error", "relative error", "sure error", "front"})
       line += "," + output::csv_field(measure.name + " " + what);

@@ -1,5 +1,5 @@
 #pragma once
-// The study as tables for machines.
+// The study as tables, for machines and for a page of text.
 
 #include <string>
 
@@ -9,6 +9,9 @@ namespace ashlar::study {
 
 /// One row a case, SI units; failed cases too, with their reason.
 std::string study_csv(const Study& study, const std::vector<Outcome>& outcomes, const Analysis& analysis);
+
+/// One row a case in Markdown: the parameters that differ, the measures rounded to four digits, wall time.
+std::string study_markdown(const Study& study, const std::vector<Outcome>& outcomes);
 
 /// Everything: cases with all their runs, findings with references, orders, fronts and ladders.
 std::string study_json(const Study& study, const std::vector<Outcome>& outcomes, const Analysis& analysis);

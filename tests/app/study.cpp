@@ -100,6 +100,54 @@ TEST(study, effects_cost_what_a_run_without_them_saves) {
   EXPECT_NE(read(folder / "out/study.html").find("once more without each"), std::string::npos);
 }
 
+TEST(study, measures_what_runs_cost) {
+  const ScratchFolder scratch;
+  std::string scene = column;  // its joint ends inside: no part comes off
+  const std::string through = "{0,3}, {2,2.5}";
+  scene.replace(scene.find(through), through.size(), "{0.5,2}, {1.5,2}");
+  const std::string stage = "Stage { \"weight\", gravity = true }";
+  scene.replace(scene.find(stage), stage.size(), stage + ", Stage { \"more\", gravity = 20 }");
+  write(scratch / "scene.lua", scene);
+  write(scratch / "study.lua", R"(return Study { title = "Costs", scene = "scene.lua", repeats = 2,
+    cases = { { slide = true }, { slide = true, cells = 64 } }, refine = false,
+    measure = {
+      all = { title = "iterations", cost = "iterations" },
+      bulk = { title = "time of elasticity", cost = "wall", effect = "elasticity" },
+      none = { cost = "cpu", effect = "water" },
+      one = { cost = "iterations", stage = "weight", reference = 1 },
+      run = { cost = "cpu" },
+    } })");
+  const Studied done = study(scratch.path());
+  ASSERT_EQ(done.code, 0) << done.err;
+  for (std::size_t c = 0; c < 2; ++c) {
+    const json& one = done.results.at("cases").at(c);
+    const json& values = one.at("values");
+    const std::string folder = "out/cases/" + one.at("case").get<std::string>();
+    double iterations = 0, more = 0, bulk = 1e300, cpu = 1e300;
+    for (const char* number : {"1", "2"}) {
+      const json run = json::parse(read(scratch / (folder + "/run_" + number + ".json")));
+      iterations = static_cast<double>(run.at("stages").at(0).at("iterations").size());
+      more = static_cast<double>(run.at("stages").at(1).at("iterations").size());
+      double sum = 0;
+      for (const json& row : run.at("timings"))
+        if (row.at("effect") == "elasticity") sum += row.at("wall").get<double>();
+      bulk = std::min(bulk, sum);
+    }
+    for (const json& run : one.at("runs")) cpu = std::min(cpu, run.at("cpu").get<double>());
+    EXPECT_GT(std::min(iterations, more), 0);
+    EXPECT_EQ(values.at("all"), iterations + more);
+    EXPECT_EQ(values.at("one"), iterations);
+    EXPECT_EQ(values.at("bulk"), bulk);
+    EXPECT_EQ(values.at("run"), cpu);
+    EXPECT_TRUE(values.at("none").is_null());
+  }
+  EXPECT_NE(done.out.find("its results lack the measure 'none'"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("Iterations: "), std::string::npos) << done.out;
+  const std::string table = read(scratch / "out/study.md");
+  EXPECT_TRUE(table.starts_with("| cells | iterations | time of elasticity |")) << table;
+  EXPECT_EQ(count(table, "\n"), 4u);
+}
+
 TEST(study, page_needs_nothing_else) {
   const ScratchFolder folder;
   write(folder / "scene.lua", column);

@@ -132,7 +132,7 @@ std::vector<std::string> case_row(const PageData& data, std::size_t c, const std
   row.insert(row.end(), {output::short_quantity(outcome.h, "m"), spread(outcome),
                          time_text(outcome.best_cpu()), memory_text(outcome.memory())});
   for (std::size_t m = 0; m < data.study.measures.size(); ++m) {
-    const std::string unit = unit_of(data.study.measures[m].quantity);
+    const std::string unit = unit_of(data.study.measures[m]);
     row.push_back(outcome.values[m] ? value_text(*outcome.values[m], unit) : "missing");
     std::string error = "–";
     for (const Finding& finding : data.analysis.findings)

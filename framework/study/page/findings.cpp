@@ -59,7 +59,7 @@ class Section {
       : data_(data),
         finding_(finding),
         measure_(data.study.measures[finding.measure]),
-        unit_(unit_of(measure_.quantity)) {}
+        unit_(unit_of(measure_)) {}
 
   std::string write() {
     std::string title = measure_.title;
@@ -70,7 +70,7 @@ class Section {
     if (finding_.readings.empty()) return html + "<p>No run gave this measure.</p></section>\n";
     html += "<p>" + what() + " " + reference() + "</p>\n";
     html += legend() + "<div class=\"plots\">\n";
-    if (data_.analysis.sizes_differ)
+    if (data_.analysis.sizes_differ && compared())
       for (const Across& across : all_across()) html += error_plot(across);
     if (data_.analysis.sizes_differ) html += value_over_size();
     html += parameter_plots() + "</div>\n" + explain();
@@ -79,7 +79,15 @@ class Section {
   }
 
  private:
+  bool compared() const { return !measure_.compared_with("none"); }
+
   std::string what() const {
+    if (measure_.cost == "iterations")
+      return "Iterations of " +
+             (measure_.stage.empty() ? "all stages." : "the stage " + escaped(measure_.stage) + ".");
+    if (!measure_.cost.empty())
+      return (measure_.cost == "cpu" ? "CPU time of " : "Wall time of ") +
+             (measure_.effect.empty() ? "the run." : escaped(measure_.effect) + ".");
     if (!measure_.at.empty()) return "<code>" + escaped(measure_.at) + "</code> of the results.";
     std::string text = "<code>" + escaped(measure_.quantity) + "</code> of ";
     text += measure_.joint.empty() ? "the probe " + escaped(measure_.probe)
@@ -90,6 +98,7 @@ class Section {
 
   std::string reference() const {
     const Reference& reference = finding_.reference;
+    if (!compared()) return "It is not compared with anything.";
     if (std::isnan(reference.value))
       return "There is nothing to compare it with: " + escaped(reference.how) + ".";
     if (measure_.reference.function() && finding_.readings.size() > 1 && data_.study.refine.empty())
@@ -212,6 +221,7 @@ class Section {
       if (!measure_.reference.function()) plot.line_at = finding_.reference.value;
       plot.line_label = "reference";
       html += draw(plot);
+      if (!compared()) continue;
       Plot errors;
       errors.title = "Error against " + setting.key;
       errors.x = plot.x;
