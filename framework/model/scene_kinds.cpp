@@ -93,7 +93,10 @@ Schema joint() {
       "A surface where the mesh is split, along a path or along the border of two regions; or two edges of "
       "bodies that are meshed apart, each for itself, and meet by contact. Borders without a joint are "
       "bonded.",
-      {parameter("path", Form::list, "points of a polyline") |
+      {parameter(
+           "path", Form::list,
+           "points of a polyline; it may cross, meet or end on other joints and borders, but not run beside "
+           "them nearer than a tenth of the mesh's edges") |
            each(parameter("", Form::point, "") | in_metres()),
        parameter("between", Form::list, "two regions that share a border") |
            each(parameter("", Form::text, "") | refers("region")),

@@ -147,11 +147,13 @@ std::string joints_text(const model::RunResult& result) {
   std::string text = "Joints (greatest values)\n" + aligned(rows, 2);
   // The mesh is the same in all stages.
   for (const model::JointResult& joint : result.stages.back().joints)
-    if (joint.contact_length < (1 - 1e-9) * joint.length)
+    if (joint.contact_length < (1 - 1e-4) * joint.length)
       text += "  " +
               wrapped(joint.name + ": contact points stand for " + short_quantity(joint.contact_length, "m") +
                           " of " + short_quantity(joint.length, "m") +
-                          "; what the rest carries, at welded tips, is not in the normal force",
+                          (joint.tips.empty()
+                               ? "; the rest faces no part of the other lip"
+                               : "; what the rest carries, at welded tips, is not in the normal force"),
                       width - 2, 4);
   return text;
 }
