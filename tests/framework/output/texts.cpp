@@ -109,6 +109,20 @@ TEST(summary, round_off_reads_as_zero) {
   EXPECT_NE(rows.back().find("sum                   0         0 "), std::string::npos) << rows.back();
 }
 
+TEST(summary, says_what_contact_points_do_not_stand_for) {
+  Sample sample = make_sample(1);
+  model::JointResult& joint = sample.result.stages.back().joints.at(0);
+  const auto says = [&](double contact, bool tips, const std::string& words) {
+    joint.length = 4, joint.contact_length = contact;
+    joint.tips.clear();
+    if (tips) joint.tips.push_back({});
+    return summary(sample.record(), {}).find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(says(2, false, "stand for 2 m of 4 m; the rest faces no part"));
+  EXPECT_TRUE(says(3, true, "stand for 3 m of 4 m; what the rest carries"));
+  EXPECT_FALSE(says(3.9999, true, "stand for"));
+}
+
 TEST(summary, says_why_a_stage_failed) {
   Sample sample = make_sample(1);
   sample.result.stages[1].converged = false;
