@@ -147,10 +147,10 @@ class LocalTerm : public Term {
   /// changed.
   virtual StatusUpdate update_status(fields::State& state, const StatusChange& change,
                                      std::span<double> unknown) const = 0;
-  /// Closes the point that `motion` (a change of the jumps) lets touch first, of those that are open; false
-  /// if there is none.
-  virtual bool close_first(fields::State&, std::span<const double> /*motion*/,
-                           std::span<double> /*unknown*/) const {
+  /// Changes the point that stands against `motion` (a change of the jumps) first: an open one that it
+  /// closes, a slipping one that it turns back. False if there is none: nothing resists.
+  virtual bool stop_first(fields::State&, std::span<const double> /*motion*/,
+                          std::span<double> /*unknown*/) const {
     return false;
   }
   /// Settled for its status: stores tractions and what the points remember in the trial state. True if the

@@ -104,7 +104,7 @@ Index worst_unknown(std::span<const double> free) {
   return most == free.end() ? -1 : static_cast<Index>(most - free.begin());
 }
 
-void stop(const LocalResult& result, StepReport& report) {
+void stop(const LocalResult& result, const LocalTerms& local, StepReport& report) {
   report.reason = result.reason;
   report.advice =
       result.singular
@@ -113,6 +113,8 @@ void stop(const LocalResult& result, StepReport& report) {
           : "smaller cells along the joint, a softer contact (a smaller penalty factor), or "
             "the load spread over several stages";
   report.singular = result.singular;
+  report.held_before = result.held_before;
+  report.mechanism = {local.touched(), result.motion};
 }
 
 void refuse(StepReport& report) {
@@ -202,7 +204,7 @@ StepReport solve_linear(const Bulk& bulk, LocalTerms& local, const model::Constr
     if (round == 0 || !result.converged || rows.size() > 1)
       report.iterations.insert(report.iterations.end(), rows.begin(), rows.end());
     if (!result.converged) {
-      stop(result, report);
+      stop(result, local, report);
       return report;
     }
     std::vector<double> left = out_of_balance(bulk, local, target.load, state);
@@ -347,7 +349,7 @@ StepReport solve_newton(Bulk& bulk, LocalTerms& local, const model::Constraints&
     const std::vector<double> before(state.trial(displacement).begin(), state.trial(displacement).end());
     const Correction correction = newton_correction(bulk, local, constraints, residual, state);
     if (!correction.local.converged) {
-      stop(correction.local, report);
+      stop(correction.local, local, report);
       return report;
     }
     report.backward_error = std::max(report.backward_error, correction.backward_error);

@@ -3,6 +3,7 @@
 
 #include "solve/bulk.hpp"
 #include "solve/local.hpp"
+#include "solve/mechanism.hpp"
 
 namespace ashlar::solve {
 
@@ -18,8 +19,10 @@ struct StepTarget {
 struct StepReport {
   bool converged = false;
   std::string reason, advice;
-  bool singular = false;  ///< a body is free to move: smaller steps cannot help
-  Index worst = -1;       ///< if not converged: the unknown whose forces balance least, or that broke down
+  bool singular = false;     ///< a body is free to move
+  bool held_before = false;  ///< but was held at first: smaller steps may help
+  Mechanism mechanism;       ///< how it moves
+  Index worst = -1;          ///< if not converged: the unknown whose forces balance least, or that broke down
   double residual = 0;  ///< ‖forces out of balance in free dofs‖∞ over the largest nodal force, at the
                         ///< step's start or end
   double backward_error = 0;  ///< of the linear solve: ‖r‖∞ / (‖K‖∞ ‖u‖∞ + ‖f‖∞)

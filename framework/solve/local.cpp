@@ -24,6 +24,8 @@ constexpr double loose = 1e7;
 // Constraints that repeat each other (where joints meet) are told apart by this share of the ground
 // compliance, in the matrix only: what is solved stays exact.
 constexpr double poor = 1e-12, told_apart = 1e-7;
+// Springs of this share of the ground stiffness tell the free motion of a singular matrix.
+constexpr double next_to_none = 1e-8;
 // Displacements below this share of the largest are what rounding leaves of differences.
 constexpr double displacement_digits = 1e-12;
 
@@ -87,6 +89,15 @@ class StepMatrix {
   bool regular() const { return rcond_ > singular; }
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
     return column_scale_.cwiseProduct(factor_.solve(row_scale_.cwiseProduct(right)));
+  }
+  /// The step with next to no spring between the lips: of a singular matrix, the motion that meets no other
+  /// resistance, in the sense in which forces drive it.
+  Eigen::VectorXd drive(const Eigen::VectorXd& right, const model::JumpResponse& response) {
+    Eigen::MatrixXd traction_by = response.traction_by;
+    for (Index i = 0; i < traction_by.rows(); ++i)
+      traction_by.row(i) += next_to_none * terms_.ground()[i] * response.jump_by.row(i);
+    factor(response.jump_by, traction_by);
+    return solve(right);
   }
 
  private:
@@ -153,7 +164,7 @@ class Search {
       if (residual_ < 0) {
         unknown_ = start;  // what a singular matrix made of it is of no use
         loosened_ = true;
-        if (step_back() || ground()) continue;
+        if (stop_motion() || step_back()) continue;
         return not_held();
       }
       if (good_ != before) flipping_ = good_;
@@ -171,12 +182,14 @@ class Search {
       finish();
       return {true, false, {}};
     }
+    if (loosened_) return not_held();
     return {false, false, "the status of joints still changes after " + std::to_string(most) + " iterations"};
   }
 
  private:
   /// Newton for the present status; the relative misfit of the jumps, or a negative number if singular.
   double solve_fixed_status() {
+    jump_motion_.resize(0);
     double before = INFINITY;
     for (int step = 0; step < most_newton_steps; ++step) {
       terms_.respond(state_, unknown_, response_);
@@ -187,11 +200,18 @@ class Search {
       const double relative = largest(misfit) / scale;
       if (!std::isfinite(relative)) return -1;
       misfit.cwiseAbs().maxCoeff(&worst_);
-      if (largest(change_) > loose * std::max(largest(from_load_), largest(fixed_))) return -1;
+      if (largest(change_) > loose * std::max(largest(from_load_), largest(fixed_))) {
+        motion_ = displacement();
+        jump_motion_ = change_;
+        return -1;
+      }
       if (step > 0 && (relative < fit || (step > 1 && relative > 0.5 * before))) return relative;
       before = relative;
-      const StepMatrix matrix(terms_, bulk_, response_);
-      if (!matrix.regular()) return -1;
+      StepMatrix matrix(terms_, bulk_, response_);
+      if (!matrix.regular()) {
+        tell_motion(matrix.drive(-misfit, response_));
+        return -1;
+      }
       if (relative < fit) return relative;  // nothing to do, and nothing moves
       unknown_ -= matrix.solve(misfit);
     }
@@ -216,7 +236,25 @@ class Search {
   }
 
   LocalResult not_held() const {
-    return {false, true, "the joints do not hold a body that nothing else holds" + counts()};
+    LocalResult result{false, true, "the joints do not hold a body that nothing else holds" + counts()};
+    result.held_before = !good_.empty();
+    if (motion_.size() == 0 || !motion_.allFinite()) return result;
+    result.motion = Eigen::VectorXd::Zero(u_.size());
+    result.motion(terms_.free()) = motion_;
+    return result;
+  }
+
+  /// How jumps and the free touched dofs move where the points' unknowns change so.
+  void tell_motion(const Eigen::VectorXd& unknown) {
+    Eigen::VectorXd traction(unknown.size());
+    jump_motion_.resize(unknown.size());
+    for (const LocalTerms::Block& block : terms_.blocks()) {
+      const Index at = block.first, width = block.width;
+      const auto own = unknown.segment(at, width);
+      jump_motion_.segment(at, width) = response_.jump_by.block(at, 0, width, width) * own;
+      traction.segment(at, width) = response_.traction_by.block(at, 0, width, width) * own;
+    }
+    motion_ = bulk_.displacement(Eigen::VectorXd::Zero(load_.size()), traction, jump_motion_);
   }
 
   std::string name_unbalanced() const {
@@ -240,8 +278,11 @@ class Search {
     return update_status().changed > 0;
   }
 
-  /// A body that nothing holds moves with its load until a point touches.
-  bool ground() { return terms_.close_first(state_, from_load_, unknown_); }
+  /// A body that nothing holds moves with its load until a point touches, or slip turns back and sticks.
+  bool stop_motion() {
+    return terms_.stop_first(
+        state_, jump_motion_.size() > 0 && jump_motion_.allFinite() ? jump_motion_ : from_load_, unknown_);
+  }
 
   /// " (open 3, stick 0, slip 5)": how the joints stand.
   std::string counts() const {
@@ -267,6 +308,8 @@ class Search {
   fields::State& state_;
   Eigen::VectorXd& u_;
   Eigen::VectorXd unknown_, good_unknown_, fixed_, from_load_, change_;
+  // In the last status that did not hold a body: of the free touched dofs, of the jumps.
+  Eigen::VectorXd motion_, jump_motion_;
   model::JumpResponse response_;
   std::set<std::vector<std::int8_t>> visited_;
   std::vector<std::int8_t> good_;      ///< the last status that could be solved

@@ -77,7 +77,7 @@ class LocalTerms {
   void begin(const fields::State& state, const Eigen::VectorXd& jump, Eigen::VectorXd& unknown) const;
   model::StatusUpdate update_status(fields::State& state, const model::StatusChange& change,
                                     Eigen::VectorXd& unknown) const;
-  bool close_first(fields::State& state, const Eigen::VectorXd& motion, Eigen::VectorXd& unknown) const;
+  bool stop_first(fields::State& state, const Eigen::VectorXd& motion, Eigen::VectorXd& unknown) const;
   bool settle(fields::State& state, const Eigen::VectorXd& unknown) const;
   std::vector<std::int8_t> status(const fields::State& state) const;
   void restore(fields::State& state, std::span<const std::int8_t> status) const;
@@ -115,6 +115,8 @@ struct LocalResult {
   bool converged = false;
   bool singular = false;  ///< a body is free to move in the present status
   std::string reason;
+  bool held_before = false;     ///< but not in one of before: a smaller step may keep to that
+  Eigen::VectorXd motion = {};  ///< of the touched dofs, how the body moves; empty if that is not known
 };
 
 /// Iterates from the displacements `u` of the touched dofs (held ones already at their values) and leaves the

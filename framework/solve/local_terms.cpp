@@ -142,11 +142,11 @@ model::StatusUpdate LocalTerms::update_status(fields::State& state, const model:
   return all;
 }
 
-bool LocalTerms::close_first(fields::State& state, const Eigen::VectorXd& motion,
-                             Eigen::VectorXd& unknown) const {
+bool LocalTerms::stop_first(fields::State& state, const Eigen::VectorXd& motion,
+                            Eigen::VectorXd& unknown) const {
   for (std::size_t t = 0; t < terms_.size(); ++t)
-    if (terms_[t]->close_first(state, part_of(motion, first_[t], first_[t + 1]),
-                               part_of(unknown, first_[t], first_[t + 1])))
+    if (terms_[t]->stop_first(state, part_of(motion, first_[t], first_[t + 1]),
+                              part_of(unknown, first_[t], first_[t + 1])))
       return true;
   return false;
 }

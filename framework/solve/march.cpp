@@ -204,11 +204,12 @@ class March {
       }
       state_.revert();
       size /= 2;
-      if ((bulk.linear() && local.empty()) || report.singular || size < std::ldexp(largest, -most_cuts)) {
+      if ((bulk.linear() && local.empty()) || (report.singular && !report.held_before) ||
+          size < std::ldexp(largest, -most_cuts)) {
         result.converged = false;
         result.reason = report.reason + at_unknown(ready.constraints, report.worst);
         result.advice = report.advice;
-        if (report.singular) result.reason += loose_bodies(in_.model, in_.scene, ready.constraints);
+        if (report.singular) result.reason += who_moves(ready, report);
         if (reached > 0)
           result.reason +=
               " (reached " + std::to_string(static_cast<int>(100 * reached)) + " % of the stage)";
@@ -217,6 +218,11 @@ class March {
       core::log().info("stage '" + result.name + "': " + report.reason + "; trying a step of half the size");
     }
     return true;
+  }
+
+  std::string who_moves(const Prepared& ready, const StepReport& report) const {
+    const std::string moving = moving_bodies(in_.model, in_.scene, report.mechanism);
+    return moving.empty() ? loose_bodies(in_.model, in_.scene, ready.constraints) : moving;
   }
 
   /// One step. Points that move along each other are paired where the step begins, and then where it ends.

@@ -14,6 +14,8 @@ using fields::State;
 
 // A pull below this part of the greatest traction is round-off.
 constexpr double traction_digits = 1e-10;
+// Jumps that move by less than this share of the fastest stay.
+constexpr double motion_digits = 1e-3;
 // Numbers that a point remembers, as they stand in the state.
 constexpr std::size_t memory_size = 9;
 
@@ -245,16 +247,24 @@ model::StatusUpdate ContactTerm::update_status(State& state, const model::Status
   return {static_cast<int>(list.size()), complementarity};
 }
 
-bool ContactTerm::close_first(State& state, std::span<const double> motion, std::span<double> unknown) const {
+// Open lips that close after gap/−ġ of the motion, slip that is taken back after Δ/−σṡ.
+bool ContactTerm::stop_first(State& state, std::span<const double> motion, std::span<double> unknown) const {
+  double most = 0;
+  for (const double each : motion) most = std::max(most, std::abs(each));
   Misfit first;
   double least = INFINITY;
   for_each([&](std::size_t j, std::size_t p, Index c) {
-    if (touching(trial(state, j, p).status) || motion[c] >= 0) return;
+    const JointLaw& law = joints_[j].law;
+    const Status now = trial(state, j, p).status;
+    const bool slips = touching(now) && now != Status::stick && !law.friction->frictionless();
+    if (touching(now) && !slips) return;
+    const double onward = slips ? (now == Status::slip_forward ? 1 : -1) * motion[c + 1] : motion[c];
+    if (onward >= -motion_digits * most) return;
     const PointResponse response = answer(state, j, p, unknown.subspan(c, 2));
-    const double share = std::max(0.0, response.jump[0]) / -motion[c];
+    const double share = std::max(0.0, slips ? unknown[c + 1] : response.jump[0]) / -onward;
     if (share >= least) return;
     least = share;
-    first = {j, p, c, touching_status(joints_[j].law), 0, response};
+    first = {j, p, c, slips ? Status::stick : touching_status(law), 0, response};
   });
   if (!std::isfinite(least)) return false;
   change_status(state, first, unknown);

@@ -52,8 +52,8 @@ class ContactTerm final : public model::LocalTerm {
              std::span<double> unknown) const override;
   model::StatusUpdate update_status(fields::State& state, const model::StatusChange& change,
                                     std::span<double> unknown) const override;
-  bool close_first(fields::State& state, std::span<const double> motion,
-                   std::span<double> unknown) const override;
+  bool stop_first(fields::State& state, std::span<const double> motion,
+                  std::span<double> unknown) const override;
   bool settle(fields::State& state, std::span<const double> unknown) const override;
   void tractions(const fields::State& state, std::span<double> traction) const override;
   std::vector<std::int8_t> status(const fields::State& state) const override;

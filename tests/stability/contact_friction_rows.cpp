@@ -89,8 +89,9 @@ Case first_step_row() {
       }
     auto beyond = by_share(fault == Fault::stronger ? 1.0001 / 1.02 : 1.0001, "1", "1");
     beyond.emplace_back("mu", mu);
-    outcome.must_say(stopped_by("pushed_joint", beyond, fault),
-                     {"do not hold a body", "'block' can slide", "hold the body by a support"});
+    outcome.must_say(
+        stopped_by("pushed_joint", beyond, fault),
+        {"do not hold a body", "'block' slides along (1.00, 0.00)", "hold the body by a support"});
     return outcome;
   };
   return row;

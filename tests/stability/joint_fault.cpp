@@ -42,8 +42,8 @@ class FaultyJoints final : public model::LocalTerm {
     return fault_ == Fault::frozen_status ? model::StatusUpdate{}
                                           : sound_->update_status(state, change, unknown);
   }
-  bool close_first(State& state, std::span<const double> motion, std::span<double> unknown) const override {
-    return sound_->close_first(state, motion, unknown);
+  bool stop_first(State& state, std::span<const double> motion, std::span<double> unknown) const override {
+    return sound_->stop_first(state, motion, unknown);
   }
   bool settle(State& state, std::span<const double> unknown) const override {
     const bool again = sound_->settle(state, unknown);

@@ -147,7 +147,7 @@ class Stop : public model::LocalTerm {
     state.trial(status_)[0] = now;
     return {was != now, 0};
   }
-  bool close_first(fields::State& state, std::span<const double> motion, std::span<double>) const override {
+  bool stop_first(fields::State& state, std::span<const double> motion, std::span<double>) const override {
     if (closed(state) || motion[0] >= 0) return false;
     state.trial(status_)[0] = 1;
     return true;
