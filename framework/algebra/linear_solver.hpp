@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 
+#include "algebra/dense.hpp"
 #include "algebra/sparse.hpp"
 #include "core/schema.hpp"
 
@@ -48,6 +49,9 @@ class LinearSolver {
   /// All unknowns, given the kept ones: x_i = A_ii⁻¹ (b_i − A_ik x_k).
   virtual void expand(const std::vector<double>& work, const Eigen::VectorXd& kept_values,
                       std::span<double> x) const = 0;
+
+  /// For systems in the kept unknowns.
+  virtual const DenseAlgebra& dense() const { return eigen_dense(); }
 
   virtual std::size_t bytes() const = 0;
 };

@@ -12,7 +12,7 @@ namespace {
 /// With joints the matrix is that of the bulk and of joints that touch everywhere with their ground
 /// stiffness.
 double with_local_terms(const Bulk& bulk, const LocalTerms& local, Index unknowns) {
-  const Eigen::MatrixXd b = local.free_jumps();
+  const Eigen::SparseMatrix<double> b = local.free_jumps();
   const Eigen::MatrixXd own = b.transpose() * local.area().cwiseProduct(local.ground()).asDiagonal() * b;
   const Eigen::LDLT<Eigen::MatrixXd> factor(bulk.solver().schur() + own);
   if (factor.info() != Eigen::Success || !factor.isPositive() || factor.rcond() < 1e-16)

@@ -13,6 +13,8 @@ namespace {
 constexpr int most_statuses = 60;
 // For a fixed status most points are linear: one step solves, the second confirms.
 constexpr int most_newton_steps = 20;
+// A matrix whose last step left no more of the misfit than this is used for the next.
+constexpr double serves_again = 1e-3;
 // Jumps that fit relative to the largest at hand: two digits above round-off.
 constexpr double fit = 1e-14;
 // Jumps that stay apart by more than this share are in no balance: a law jumps where it would be.
@@ -35,25 +37,25 @@ double largest(const Eigen::VectorXd& values) {
 
 }  // namespace
 
-Condensed::Condensed(Points points, const Eigen::MatrixXd& schur, bool symmetric)
-    : points_(std::move(points)), symmetric_(symmetric) {
-  const Eigen::MatrixXd& b = points_.jumps;
+Condensed::Condensed(Points points, const Eigen::MatrixXd& schur, bool symmetric,
+                     const algebra::DenseAlgebra& dense)
+    : points_(std::move(points)), symmetric_(symmetric), dense_(dense) {
+  const Eigen::SparseMatrix<double>& b = points_.jumps;
   const Eigen::VectorXd stiffness = points_.area.cwiseProduct(points_.ground);
-  const Eigen::MatrixXd grounded = schur + b.transpose() * stiffness.asDiagonal() * b;
+  const Eigen::SparseMatrix<double> ground = b.transpose() * stiffness.asDiagonal() * b;
+  const Eigen::MatrixXd grounded = schur + ground;
+  const Eigen::MatrixXd transposed = Eigen::MatrixXd(b).transpose();
   Eigen::MatrixXd compliance;
   if (symmetric_) {
-    cholesky_.compute(grounded);
-    held_ = cholesky_.info() == Eigen::Success && cholesky_.rcond() > singular;
+    cholesky_ = dense_.cholesky(grounded);
+    held_ = cholesky_->rcond() > singular;
     if (!held_) return;
-    const Eigen::MatrixXd half = cholesky_.matrixL().solve(b.transpose());
-    compliance.setZero(b.rows(), b.rows());
-    compliance.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose());
-    compliance.triangularView<Eigen::StrictlyUpper>() = compliance.transpose();
+    compliance = cholesky_->inverse_between(transposed);
   } else {
-    lu_.compute(grounded);
-    held_ = lu_.rcond() > singular;
+    lu_ = dense_.lu(grounded);
+    held_ = lu_->rcond() > singular;
     if (!held_) return;
-    compliance = b * lu_.solve(b.transpose());
+    compliance = b * lu_->solve(transposed);
   }
   by_traction_ = compliance * points_.area.asDiagonal();
   by_jump_ = -compliance * stiffness.asDiagonal();
@@ -61,8 +63,8 @@ Condensed::Condensed(Points points, const Eigen::MatrixXd& schur, bool symmetric
 }
 
 Eigen::VectorXd Condensed::solve(const Eigen::VectorXd& load) const {
-  if (symmetric_) return cholesky_.solve(load);
-  return lu_.solve(load);
+  if (symmetric_) return cholesky_->solve(load);
+  return lu_->solve(load);
 }
 
 Eigen::VectorXd Condensed::displacement(const Eigen::VectorXd& load, const Eigen::VectorXd& traction,
@@ -80,15 +82,15 @@ class StepMatrix {
   StepMatrix(const LocalTerms& terms, const Condensed& bulk, const model::JumpResponse& response)
       : terms_(terms), bulk_(bulk), row_scale_(terms.area().cwiseProduct(terms.ground()).cwiseSqrt()) {
     factor(response.jump_by, response.traction_by);
-    if (rcond_ >= poor) return;
+    if (factor_->rcond() >= poor) return;
     Eigen::MatrixXd jump_by = response.jump_by;
     for (Index i = 0; i < jump_by.rows(); ++i)
       jump_by.row(i) += told_apart / terms.ground()[i] * response.traction_by.row(i);
     factor(jump_by, response.traction_by);
   }
-  bool regular() const { return rcond_ > singular; }
+  bool regular() const { return factor_->rcond() > singular; }
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
-    return column_scale_.cwiseProduct(factor_.solve(row_scale_.cwiseProduct(right)));
+    return column_scale_.cwiseProduct(factor_->solve(row_scale_.cwiseProduct(right)));
   }
   /// The step with next to no spring between the lips: of a singular matrix, the motion that meets no other
   /// resistance, in the sense in which forces drive it.
@@ -112,17 +114,13 @@ class StepMatrix {
     matrix = row_scale_.asDiagonal() * matrix;
     column_scale_ = matrix.cwiseAbs().colwise().maxCoeff().cwiseMax(1e-300).cwiseInverse();
     matrix = matrix * column_scale_.asDiagonal();
-    factor_.compute(matrix);
-    // The estimate of the inverse may miss a singular direction; a pivot of round-off does not.
-    const Eigen::ArrayXd pivots = factor_.matrixLU().diagonal().array().abs();
-    rcond_ = matrix.allFinite() ? std::min(factor_.rcond(), pivots.minCoeff() / pivots.maxCoeff()) : 0;
+    factor_ = bulk_.dense().lu(std::move(matrix));
   }
 
   const LocalTerms& terms_;
   const Condensed& bulk_;
   Eigen::VectorXd row_scale_, column_scale_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factor_;
-  double rcond_ = 0;
+  std::unique_ptr<algebra::DenseLu> factor_;
 };
 
 std::string name_cycle(const LocalTerms& terms, const fields::State& state,
@@ -190,6 +188,7 @@ class Search {
   /// Newton for the present status; the relative misfit of the jumps, or a negative number if singular.
   double solve_fixed_status() {
     jump_motion_.resize(0);
+    std::optional<StepMatrix> matrix;
     double before = INFINITY;
     for (int step = 0; step < most_newton_steps; ++step) {
       terms_.respond(state_, unknown_, response_);
@@ -206,14 +205,14 @@ class Search {
         return -1;
       }
       if (step > 0 && (relative < fit || (step > 1 && relative > 0.5 * before))) return relative;
+      if (!matrix || relative > serves_again * before) matrix.emplace(terms_, bulk_, response_);
       before = relative;
-      StepMatrix matrix(terms_, bulk_, response_);
-      if (!matrix.regular()) {
-        tell_motion(matrix.drive(-misfit, response_));
+      if (!matrix->regular()) {
+        tell_motion(matrix->drive(-misfit, response_));
         return -1;
       }
       if (relative < fit) return relative;  // nothing to do, and nothing moves
-      unknown_ -= matrix.solve(misfit);
+      unknown_ -= matrix->solve(misfit);
     }
     return before;
   }

@@ -11,6 +11,9 @@
 
 #include <optional>
 
+#include <Eigen/SparseCore>
+
+#include "algebra/dense.hpp"
 #include "model/results.hpp"
 #include "solve/bulk.hpp"
 
@@ -20,12 +23,13 @@ namespace ashlar::solve {
 class Condensed {
  public:
   struct Points {
-    Eigen::MatrixXd jumps;  ///< B over the free touched dofs
+    Eigen::SparseMatrix<double> jumps;  ///< B over the free touched dofs
     Eigen::VectorXd area, ground;
   };
-  Condensed(Points points, const Eigen::MatrixXd& schur, bool symmetric);
+  Condensed(Points points, const Eigen::MatrixXd& schur, bool symmetric, const algebra::DenseAlgebra& dense);
   /// False if a body is free to move although all joints touch.
   bool held() const { return held_; }
+  const algebra::DenseAlgebra& dense() const { return dense_; }
   /// F A and I − F A D.
   const Eigen::MatrixXd& by_traction() const { return by_traction_; }
   const Eigen::MatrixXd& by_jump() const { return by_jump_; }
@@ -41,8 +45,9 @@ class Condensed {
   Points points_;
   bool symmetric_, held_ = true;
   Eigen::MatrixXd by_traction_, by_jump_;
-  Eigen::LLT<Eigen::MatrixXd> cholesky_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  const algebra::DenseAlgebra& dense_;
+  std::unique_ptr<algebra::DenseCholesky> cholesky_;
+  std::unique_ptr<algebra::DenseLu> lu_;
 };
 
 /// force += Bᵀ A q of one term over all dofs, q: the trial state's tractions.
@@ -66,7 +71,7 @@ class LocalTerms {
   const Eigen::VectorXd& area() const { return area_; }
   const Eigen::VectorXd& ground() const { return ground_; }
   /// B over the free touched dofs.
-  Eigen::MatrixXd free_jumps() const;
+  Eigen::SparseMatrix<double> free_jumps() const;
   /// initial + B u over all touched dofs.
   Eigen::VectorXd jumps(const Eigen::VectorXd& u) const;
   /// force += Bᵀ A q over all dofs, q: the trial state's tractions.

@@ -57,16 +57,19 @@ bool LocalTerms::serves(const std::vector<std::shared_ptr<model::LocalTerm>>& te
   return terms == terms_ && constraints.held == held_;
 }
 
-Eigen::MatrixXd LocalTerms::free_jumps() const {
+Eigen::SparseMatrix<double> LocalTerms::free_jumps() const {
   std::vector<Index> column(touched_.size(), -1);
   for (std::size_t f = 0; f < free_.size(); ++f) column[free_[f]] = static_cast<Index>(f);
-  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(size(), static_cast<Index>(free_.size()));
+  std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     const model::Jumps& jumps = terms_[t]->jumps();
     for (Index i = 0; i < jumps.size(); ++i)
       for (const model::Jumps::Part& part : jumps.parts[i])
-        if (const Index j = column[place_[t][part.place]]; j >= 0) b(first_[t] + i, j) += part.factor;
+        if (const Index j = column[place_[t][part.place]]; j >= 0)
+          entries.emplace_back(first_[t] + i, j, part.factor);
   }
+  Eigen::SparseMatrix<double> b(size(), static_cast<Index>(free_.size()));
+  b.setFromTriplets(entries.begin(), entries.end());
   return b;
 }
 
@@ -197,7 +200,7 @@ const Condensed& LocalTerms::condensed(const Bulk& bulk) {
   if (!condensed_) {
     const auto timing = core::ledger().time("condense", effect());
     condensed_.emplace(Condensed::Points{free_jumps(), area_, ground_}, bulk.solver().schur(),
-                       bulk.symmetric());
+                       bulk.symmetric(), bulk.solver().dense());
   }
   return *condensed_;
 }

@@ -182,9 +182,7 @@ void Cholesky::extract_kept_factor() {
     for (Index j = std::max(from, nodes.first_column[s]); j < nodes.first_column[s + 1]; ++j)
       for (Index r = j - nodes.first_column[s]; r < nodes.rows(s); ++r)
         kept_factor_(nodes.row[nodes.rows_at[s] + r] - from, j - from) = nodes.column(s, j)[r];
-  schur_.setZero(count, count);
-  schur_.selfadjointView<Eigen::Lower>().rankUpdate(kept_factor_);
-  schur_.triangularView<Eigen::StrictlyUpper>() = schur_.transpose();
+  schur_ = times_transposed(kept_factor_);
   for (Index k = 0; k < count; ++k) schur_(k, k) -= shift_[static_cast<std::size_t>(k)];
 }
 

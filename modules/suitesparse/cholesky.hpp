@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "algebra/linear_solver.hpp"
+#include "suitesparse/lapack.hpp"
 #include "suitesparse/ordering.hpp"
 
 namespace ashlar::suitesparse {
@@ -22,6 +23,7 @@ class Cholesky final : public algebra::LinearSolver {
   Eigen::VectorXd condense(std::span<const double> b, std::vector<double>& work) const override;
   void expand(const std::vector<double>& work, const Eigen::VectorXd& kept_values,
               std::span<double> x) const override;
+  const algebra::DenseAlgebra& dense() const override { return lapack(); }
   std::size_t bytes() const override;
 
  private:

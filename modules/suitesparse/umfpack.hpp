@@ -6,6 +6,7 @@
 // solve for each of them.
 
 #include "algebra/linear_solver.hpp"
+#include "suitesparse/lapack.hpp"
 
 namespace ashlar::suitesparse {
 
@@ -27,6 +28,7 @@ class Umfpack final : public algebra::LinearSolver {
   Eigen::VectorXd condense(std::span<const double> b, std::vector<double>& work) const override;
   void expand(const std::vector<double>& work, const Eigen::VectorXd& kept_values,
               std::span<double> x) const override;
+  const algebra::DenseAlgebra& dense() const override { return lapack(); }
   std::size_t bytes() const override;
 
  private:

@@ -11,6 +11,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 dam=$root/examples/jointed_dam
 levels=$root/tests/benchmarks/levels.lua
+joints=$root/tests/benchmarks/joints.lua
 # shellcheck source=timing.bash
 source "$root/tests/benchmarks/timing.bash"
 
@@ -47,6 +48,10 @@ all=$(cpu 3 run "$levels" --set cells=100000 --set levels=10)
 share=$(ratio "$(minus "$all" "$first")" "$first" 10)
 judge "$share" 5
 echo "friction, 100 000 cells: first stage $first, with ten levels $all, each $share % of the first   bound: 5 %, $verdict"
+
+bonded=$(cpu 3 run "$joints" --set cells=80000 --set count=0)
+jointed=$(cpu 3 run "$joints" --set cells=80000)
+echo "four rough joints, 80 000 cells, two stages: bonded $bonded, with contact $jointed in $(iterations) iterations, ratio $(ratio "$jointed" "$bonded")"
 
 for cells in 1000 10000 100000; do
   run "$dam" --set cells="$cells"

@@ -193,7 +193,8 @@ inline int settle(const Blocks& blocks, const std::shared_ptr<ContactTerm>& term
   const Eigen::MatrixXd across = blocks.stiffness(kept, inner);
   const Eigen::MatrixXd schur = blocks.stiffness(kept, kept) - across * inside.solve(across.transpose());
   const Eigen::VectorXd right = load(kept) - across * inside.solve(load(inner));
-  const ashlar::solve::Condensed bulk({terms.free_jumps(), terms.area(), terms.ground()}, schur, true);
+  const ashlar::solve::Condensed bulk({terms.free_jumps(), terms.area(), terms.ground()}, schur, true,
+                                      ashlar::algebra::eigen_dense());
   Eigen::VectorXd u(static_cast<Index>(terms.touched().size()));
   const std::span<double> all = state.trial(0);
   for (Index i = 0; i < u.size(); ++i) u[i] = all[terms.touched()[i]];
