@@ -11,6 +11,8 @@ namespace {
 
 // Far more statuses than any sound stage visits (a handful); a cycle is found long before.
 constexpr int most_statuses = 60;
+// Points that change one by one: where so many did not settle it, a smaller step is the shorter way.
+constexpr int most_single = 100;
 // For a fixed status most points are linear: one step solves, the second confirms.
 constexpr int most_newton_steps = 20;
 // A matrix whose last step left no more of the misfit than this is used for the next.
@@ -150,7 +152,7 @@ class Search {
   }
 
   LocalResult run(std::vector<model::Iteration>& rows) {
-    const int most = most_statuses + static_cast<int>(terms_.blocks().size());
+    const int most = most_statuses + std::min(most_single, static_cast<int>(terms_.blocks().size()));
     for (int number = 1; number <= most; ++number) {
       const std::vector<std::int8_t> before = terms_.status(state_);
       if (!visited_.insert(before).second && !break_cycle())
