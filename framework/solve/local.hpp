@@ -7,7 +7,8 @@
 //   (S + Bᵀ A D B) u = b − Bᵀ A (q − D B u)      ⇒      B u = F_b − F A (q − D B u)
 // with the compliance F = B (S + Bᵀ A D B)⁻¹ Bᵀ, made once for a factorisation. Newton's method solves this
 // for the points' unknowns y, from which J(y) and q(y) follow, for a fixed status; the status is updated
-// outside of it; visited statuses are remembered, so that a cycle is found, broken, or named.
+// outside of it; visited statuses are remembered, so that a cycle is found, broken, or named. A status that
+// lets bodies loose tells their motion: the first point that stands against it changes, or it is named.
 
 #include <optional>
 
