@@ -30,6 +30,20 @@ double LuaFunction::operator()(std::initializer_list<double> arguments) const {
   return result[0].values[0];
 }
 
+double LuaFunction::operator()(std::initializer_list<double> arguments, std::span<const double> state,
+                               std::span<double> next) const {
+  static const std::vector<std::string> a_number = {""};
+  std::vector<core::NumberTable> said;
+  for (const double argument : arguments) said.push_back({a_number, {argument}});
+  said.push_back({{}, {state.begin(), state.end()}});
+  said.push_back(parameters_);
+  std::array<core::NumberTable, 2> results = {{{a_number, {0.0}}, {{}, {next.begin(), next.end()}}}};
+  const std::lock_guard lock(one_call_at_a_time());
+  function_->call_tables(said, results);
+  std::ranges::copy(results[1].values, next.begin());
+  return results[0].values[0];
+}
+
 Neighbours neighbours(double at, double least) {
   const double h = step * std::max(std::abs(at), least);
   return {at - h, at + h};

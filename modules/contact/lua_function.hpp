@@ -13,6 +13,10 @@ class LuaFunction {
   explicit operator bool() const { return function_ != nullptr; }
   /// Throws InputError with the function's place if it fails or returns no number.
   double operator()(std::initializer_list<double> arguments) const;
+  /// The same of a function that remembers: a list of numbers before the parameters, and the next list after
+  /// the result.
+  double operator()(std::initializer_list<double> arguments, std::span<const double> state,
+                    std::span<double> next) const;
 
  private:
   std::shared_ptr<const core::Function> function_;

@@ -73,7 +73,10 @@ return {
       doc = "A normal law written in the scenario, for trying ideas; three calls of the script a point and iteration.",
       parameters = {
         { key = "pressure", forms = { "function" }, required = true,
-          doc = "function(opening, p) that returns the pressure [Pa], positive in compression; opening < 0: closure." },
+          doc = "function(opening, p) that returns the pressure [Pa], positive in compression; opening < 0: closure. " ..
+                "With variables: function(opening, state, p) that returns the pressure and the new state as a list." },
+        { key = "variables", forms = { "integer" }, default = 0, range = { from = 0, to = 3 },
+          doc = "Numbers in the state, all 0 at first." },
         named_numbers,
       } },
     { kind = "friction", name = "none", doc = "Frictionless: the lips slide freely.", parameters = {} },

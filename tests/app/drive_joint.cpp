@@ -165,6 +165,34 @@ TEST(drive_joint, laws_of_the_script_give_what_the_modules_give) {
       EXPECT_NEAR(ours[i][name], script[i][name], 1e-9 * (1e-3 + std::abs(ours[i][name]))) << i << name;
 }
 
+// The cohesive law again, with the greatest opening as its memory: torn, unloaded, closed, torn further.
+TEST(drive_joint, a_normal_law_of_the_script_remembers) {
+  const std::string path =
+      "{ opening = 5e-5 }, { opening = 2e-4 }, { opening = 5e-5 }, { opening = -1e-5 }, { opening = 4e-4 }";
+  const std::string smooth = ", friction = \"none\"";
+  const auto ours = driven(
+      "normal_law = contact.cohesive { stiffness = 1e10, tensile_strength = 1e6, fracture_energy = 200 }" +
+          smooth,
+      path);
+  const auto script = driven(
+      "normal_law = contact.lua_normal { variables = 1, parameters = { k = 1e10, T = 1e6, G = 200 },\n"
+      " pressure = function(o, state, p)\n"
+      "  local function pull(x)\n"
+      "    local peak, gone = p.T/p.k, 2*p.G/p.T\n"
+      "    return x <= peak and p.k*x or x < gone and p.T*(gone - x)/(gone - peak) or 0\n"
+      "  end\n"
+      "  local worst = math.max(state[1], o)\n"
+      "  if o <= 0 then return -p.k*o, { worst } end\n"
+      "  return -o*pull(worst)/worst, { worst }\n"
+      " end }" +
+          smooth,
+      path);
+  ASSERT_EQ(ours.size(), script.size());
+  for (std::size_t i = 0; i < ours.size(); ++i)
+    EXPECT_NEAR(ours[i]["pressure [Pa]"], script[i]["pressure [Pa]"], 1e-3) << i;
+  EXPECT_LT(ours[15]["pressure [Pa]"], -1e5);
+}
+
 TEST(drive_joint, what_the_laws_cannot_carry_is_not_converged_and_keeps_what_was_reached) {
   const auto rows = driven(coulomb, "{ pressure = 1*u.MPa }, { shear = 1*u.MPa }", 10, 3);
   ASSERT_GT(rows.size(), 11u);

@@ -21,18 +21,32 @@ void try_out(const LuaNormal& law, const core::Settings& settings, core::Mistake
 
 }  // namespace
 
-Pressure LuaNormal::pressure(double opening, const Variables& /*committed*/, Variables& /*trial*/) const {
+double LuaNormal::asked(double opening, const Variables& committed, Variables& trial) const {
+  if (variables_ == 0) return pressure_({opening});
+  const auto count = static_cast<std::size_t>(variables_);
+  return pressure_({opening}, std::span(committed).first(count), std::span(trial).first(count));
+}
+
+Pressure LuaNormal::pressure(double opening, const Variables& committed, Variables& trial) const {
   const Neighbours beside = neighbours(opening, least);
-  return {pressure_({opening}), beside.slope(pressure_({beside.left}), pressure_({beside.right}))};
+  Variables unused{};
+  const double left = asked(beside.left, committed, unused), right = asked(beside.right, committed, unused);
+  return {asked(opening, committed, trial), beside.slope(left, right)};
+}
+
+std::vector<std::string> LuaNormal::variables() const {
+  std::vector<std::string> names;
+  for (int i = 1; i <= variables_; ++i) names.push_back("state " + std::to_string(i));
+  return names;
 }
 
 std::shared_ptr<const NormalLaw> make_lua_normal(const core::Settings& settings, core::Mistakes& mistakes) {
   const std::size_t before = mistakes.list().size();
   const core::NumberTable parameters = core::read_numbers(settings, "parameters", mistakes);
   const auto function = settings.value("pressure").function();
-  if (!function || mistakes.list().size() > before) return nullptr;
+  if (!function || !settings.has("variables") || mistakes.list().size() > before) return nullptr;
   try {
-    auto law = std::make_shared<LuaNormal>(LuaFunction(function, parameters));
+    auto law = std::make_shared<LuaNormal>(LuaFunction(function, parameters), settings.integer("variables"));
     try_out(*law, settings, mistakes);
     if (mistakes.list().size() == before) return law;
   } catch (const core::InputError& error) {
