@@ -94,14 +94,14 @@ class StepMatrix {
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
     return column_scale_.cwiseProduct(factor_->solve(row_scale_.cwiseProduct(right)));
   }
-  /// The step with next to no spring between the lips: of a singular matrix, the motion that meets no other
-  /// resistance, in the sense in which forces drive it.
-  Eigen::VectorXd drive(const Eigen::VectorXd& right, const model::JumpResponse& response) {
+  /// Puts next to no springs between the lips: a step is then the motion that meets no other resistance, in
+  /// the sense in which forces drive it. False if that does not help.
+  bool loosen(const model::JumpResponse& response) {
     Eigen::MatrixXd traction_by = response.traction_by;
     for (Index i = 0; i < traction_by.rows(); ++i)
       traction_by.row(i) += next_to_none * terms_.ground()[i] * response.jump_by.row(i);
     factor(response.jump_by, traction_by);
-    return solve(right);
+    return factor_->rcond() > 0;
   }
 
  private:
@@ -210,7 +210,7 @@ class Search {
       if (!matrix || relative > serves_again * before) matrix.emplace(terms_, bulk_, response_);
       before = relative;
       if (!matrix->regular()) {
-        tell_motion(matrix->drive(-misfit, response_));
+        if (matrix->loosen(response_)) tell_motion(matrix->solve(-misfit));
         return -1;
       }
       if (relative < fit) return relative;  // nothing to do, and nothing moves
