@@ -20,8 +20,9 @@ program_packages=(
   libsuitesparse-dev libopenblas-dev libmetis-dev
   libhdf5-dev libcairo2-dev libpng-dev fonts-dejavu-core
 )
-# What only the tests need: VTK reads our files back, CalculiX computes the same scenes independently.
-test_packages=(libgtest-dev libbenchmark-dev libvtk9-dev calculix-ccx clang-format clang-tidy)
+# What only the tests need: VTK reads our files back, CalculiX computes the same scenes independently, and
+# clang-tidy wants an omp.h of its own for sources compiled with OpenMP.
+test_packages=(libgtest-dev libbenchmark-dev libvtk9-dev calculix-ccx clang-format clang-tidy libomp-dev)
 
 say() { printf '\n== %s\n' "$*"; }
 fail() {
