@@ -18,7 +18,9 @@ function(ashlar_batch target)
   list(JOIN sources "\n" lines)
   set(list "${CMAKE_BINARY_DIR}/batches/${target}.txt")
   file(WRITE "${list}" "${lines}\n")
+  # Headers are looked for from the top, wherever CMake was called.
   execute_process(COMMAND "${awk}" -v most=${ashlar_batch_size} -f "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/batches.awk" "${list}"
+    WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
     OUTPUT_VARIABLE batches COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX MATCHALL "[^\n]+" batches "${batches}")
   foreach(batch IN LISTS batches)
