@@ -16,7 +16,7 @@ return Scene {
     upper = Polygon { {0,1,"face"}, {2,1+2*t,"r"}, {2,3,"top"}, {0,3,"left"}, material = rock } },
   joints = { bed = Joint { faces = { "upper.face", "lower.face" }, pairing = pairing, enforce = enforce,
      friction = tilt == 0 and "none" or contact.coulomb { friction_angle = 70*u.deg } } },
-  mesh = meshes == "quads" and mesh.structured { size = { upper = 0.5, lower = 0.5/ratio } } or mesh.voronoi { size = { upper = 0.5, lower = 0.5/ratio }, seed = 5 },
+  mesh = meshes == "quads" and mesh.gmsh { cells = "quads", size = { upper = 0.5, lower = 0.5/ratio } } or mesh.voronoi { size = { upper = 0.5, lower = 0.5/ratio }, seed = 5 },
   element = element, order = order,
   supports = { ["lower.bottom"] = "y", foot = Support { at = {0,0}, fix = "xy" } , pin = Support{ at = {0,3}, fix = "x" } },
   stages = { Stage { "press", pressures = { ["upper.top"] = 1*u.MPa } } },
