@@ -21,10 +21,6 @@ double longest_edge_at(const mesh::Mesh& mesh, Index point) {
   return longest;
 }
 
-std::string in_words(Point p) {
-  return "(" + core::format_quantity(p.x, metres) + ", " + core::format_quantity(p.y, metres) + ")";
-}
-
 /// "fault.upper, fault.lower": the lips that one of these points lies on.
 std::string lips_at(const mesh::Mesh& mesh, const std::vector<Index>& points) {
   std::string names;
@@ -39,6 +35,10 @@ std::string lips_at(const mesh::Mesh& mesh, const std::vector<Index>& points) {
 }
 
 }  // namespace
+
+std::string place_text(Point at) {
+  return "(" + core::format_quantity(at.x, metres) + ", " + core::format_quantity(at.y, metres) + ")";
+}
 
 std::vector<Index> points_together(const mesh::Mesh& mesh, Index point) {
   std::vector<Index> together;
@@ -57,17 +57,17 @@ Index point_at(const mesh::Mesh& mesh, const PlaceInScript& where, core::Mistake
   const double away = geometry::distance(where.at, mesh.points[point]);
   const double edge = longest_edge_at(mesh, point);
   if (away > edge) {
-    mistakes.add(where.place, in_words(where.at) + " lies outside the mesh: its nearest point " +
-                                  in_words(mesh.points[point]) + " is " +
+    mistakes.add(where.place, place_text(where.at) + " lies outside the mesh: its nearest point " +
+                                  place_text(mesh.points[point]) + " is " +
                                   core::format_quantity(away, metres) + " away");
     return -1;
   }
   if (away > noticeable * edge)
-    core::log().warning(core::to_string(where.place) + ": the mesh point " + in_words(mesh.points[point]) +
+    core::log().warning(core::to_string(where.place) + ": the mesh point " + place_text(mesh.points[point]) +
                         " is taken, " + core::format_quantity(away, metres) +
                         " from the place that was asked for");
   if (const auto together = points_together(mesh, point); where.lip.empty() && together.size() > 1) {
-    mistakes.add(where.place, in_words(where.at) + " lies on a joint, whose sides move apart",
+    mistakes.add(where.place, place_text(where.at) + " lies on a joint, whose sides move apart",
                  "say which side: lip = one of " + lips_at(mesh, together));
     return -1;
   }

@@ -23,6 +23,9 @@ struct PlaceInScript {
 /// and no lip is named, is a mistake (-1). A point that is noticeably off the place is said in the log.
 Index point_at(const mesh::Mesh& mesh, const PlaceInScript& where, core::Mistakes& mistakes);
 
+/// "(3 m, 1.5 m)".
+std::string place_text(Point at);
+
 /// All mesh points at the same place as this one: more than one where joints have parted them.
 std::vector<Index> points_together(const mesh::Mesh& mesh, Index point);
 

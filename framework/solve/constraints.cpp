@@ -78,9 +78,8 @@ struct Hold {
     const bool clash = value && c.at_value[dof] && c.value[dof] != *value;
     if (clash && !clashed[dof]) {
       clashed[dof] = 1;
-      mistakes.add(stage.supports[support].place, "the point (" + core::format_quantity(place.x, {1, 0, 0}) +
-                                                      ", " + core::format_quantity(place.y, {1, 0, 0}) +
-                                                      ") is held at two different displacements");
+      mistakes.add(stage.supports[support].place,
+                   "the point " + model::place_text(place) + " is held at two different displacements");
     }
     if (!c.held[dof]) c.support[dof] = support;
     c.held[dof] = 1;

@@ -25,7 +25,7 @@ constexpr double unbalanced = 1e-6;
 constexpr double singular = 1e-13;
 // Jumps so many times those of joints that touch everywhere are a body that rounding alone holds.
 constexpr double loose = 1e7;
-// Constraints that repeat each other (where joints meet) are told apart by this share of the ground
+// Constraints that repeat each other (held lips, two passes) are told apart by this share of the ground
 // compliance, in the matrix only: what is solved stays exact.
 constexpr double poor = 1e-12, told_apart = 1e-7;
 // Springs of this share of the ground stiffness tell the free motion of a singular matrix.
@@ -45,19 +45,19 @@ Condensed::Condensed(Points points, const Eigen::MatrixXd& schur, bool symmetric
   const Eigen::SparseMatrix<double>& b = points_.jumps;
   const Eigen::VectorXd stiffness = points_.area.cwiseProduct(points_.ground);
   const Eigen::SparseMatrix<double> ground = b.transpose() * stiffness.asDiagonal() * b;
-  const Eigen::MatrixXd grounded = schur + ground;
-  const Eigen::MatrixXd transposed = Eigen::MatrixXd(b).transpose();
+  Eigen::MatrixXd grounded = schur + ground;
+  Eigen::MatrixXd transposed = Eigen::MatrixXd(b).transpose();
   Eigen::MatrixXd compliance;
   if (symmetric_) {
-    cholesky_ = dense_.cholesky(grounded);
+    cholesky_ = dense_.cholesky(std::move(grounded));
     held_ = cholesky_->rcond() > singular;
     if (!held_) return;
-    compliance = cholesky_->inverse_between(transposed);
+    compliance = cholesky_->inverse_between(std::move(transposed));
   } else {
-    lu_ = dense_.lu(grounded);
+    lu_ = dense_.lu(std::move(grounded));
     held_ = lu_->rcond() > singular;
     if (!held_) return;
-    compliance = b * lu_->solve(transposed);
+    compliance = b * lu_->solve(std::move(transposed));
   }
   by_traction_ = compliance * points_.area.asDiagonal();
   by_jump_ = -compliance * stiffness.asDiagonal();

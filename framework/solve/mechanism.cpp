@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/place.hpp"
+
 namespace ashlar::solve {
 
 namespace {
@@ -60,11 +62,10 @@ double rounded(double value, double unit) {
   return std::round(value / unit) * unit + 0.0;
 }
 
-/// "(3 m, 1 m)", to some thousandths of the model's size.
-std::string place_text(geometry::Point at, double length) {
+/// To some thousandths of the model's size.
+Point rounded(Point at, double length) {
   const double unit = std::pow(10.0, std::floor(std::log10(length)) - 3);
-  return "(" + core::format_quantity(rounded(at.x, unit), {1, 0, 0}) + ", " +
-         core::format_quantity(rounded(at.y, unit), {1, 0, 0}) + ")";
+  return {rounded(at.x, unit), rounded(at.y, unit)};
 }
 
 /// "slides along (1.00, 0.00)", "turns about (3 m, 1 m)". The motion is slide + turn × (x − middle) in the
@@ -81,7 +82,7 @@ std::string words_of(const Body& body, double length) {
   const double radius = std::sqrt(square / static_cast<double>(body.at.size()));
   if (std::abs(turn) * radius > hardly_turns * geometry::norm(slide)) {
     const Point centre{middle.x - slide.y / turn, middle.y + slide.x / turn};
-    return "turns about " + place_text(centre, length);
+    return "turns about " + model::place_text(rounded(centre, length));
   }
   const double size = geometry::norm(slide);
   char text[60];

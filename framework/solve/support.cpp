@@ -3,6 +3,7 @@
 
 #include "geometry/polygon.hpp"
 #include "model/free_motions.hpp"
+#include "model/place.hpp"
 #include "solve/build.hpp"
 
 namespace ashlar::solve {
@@ -90,7 +91,7 @@ std::string place_of_dof(const model::Model& model, Index dof) {
     mesh.corners((dof - model.dofs.of_cell(0)) / (field.width * field.per_cell), corners);
     at = geometry::centroid(corners);
   }
-  return "(" + core::format_quantity(at.x, {1, 0, 0}) + ", " + core::format_quantity(at.y, {1, 0, 0}) + ")";
+  return model::place_text(at);
 }
 
 }  // namespace ashlar::solve

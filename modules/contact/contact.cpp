@@ -6,6 +6,7 @@
 #include "contact/repeated.hpp"
 #include "core/log.hpp"
 #include "mesh/match_lips.hpp"
+#include "model/place.hpp"
 
 namespace ashlar::contact {
 
@@ -29,16 +30,12 @@ std::string stiffness_text(const JointContact& joint) {
   return "stiffness " + (low == high ? low : low + " … " + high);
 }
 
-std::string at_text(Point at) {
-  return "(" + core::format_quantity(at.x, {1, 0, 0}) + ", " + core::format_quantity(at.y, {1, 0, 0}) + ")";
-}
-
 void check_overlap(const JointContact& joint, const core::Place& place, core::Mistakes& mistakes) {
   const auto deepest = std::ranges::max_element(joint.points, {}, &ContactPoint::overlap);
   if (deepest == joint.points.end() || deepest->overlap <= 0) return;
   const std::string words = "the bodies of joint '" + joint.name + "' overlap at the start by " +
                             core::format_quantity(deepest->overlap, {1, 0, 0}) + " at " +
-                            at_text(deepest->at);
+                            model::place_text(deepest->at);
   if (deepest->overlap > overlap_allowed * deepest->h)
     mistakes.add(place, words, "draw them apart, or so that they just touch");
   else

@@ -165,15 +165,14 @@ Status next_status(const JointLaw& law, const PointMemory& committed, Status sta
 double violation(const JointLaw& law, const PointMemory& committed, Status status, const Unknowns& unknowns,
                  const PointResponse& response, double ground) {
   const double pressure = -response.traction[0], shear = std::abs(response.traction[1]);
-  const double pull = std::max(0.0, -pressure - law.normal->tensile_strength(committed.law)) / ground;
   const double overlap = std::max(0.0, committed.dilation - response.jump[0]);
   if (of_traction(law)) {
     if (!touching(status)) return std::max(overlap, std::abs(pressure) / ground);
     if (!touches(law, committed, status, unknowns, pressure, {})) return unknowns[0];
-  } else if (!touching(status)) {
-    return overlap;
-  } else if (pull > 0) {
-    return pull;
+  } else {
+    if (!touching(status)) return overlap;
+    const double pull = -pressure - law.normal->tensile_strength(committed.law);
+    if (pull > 0) return pull / ground;
   }
   if (law.friction->frictionless()) return 0;
   if (status != Status::stick) return std::max(0.0, -unknowns[1]);

@@ -11,13 +11,7 @@ namespace ashlar::stability {
 namespace {
 
 Case joint_case(std::string name, std::string risk, std::string bound, std::vector<Fault> plants) {
-  Case row;
-  row.group = "Joints that meet";
-  row.name = std::move(name);
-  row.risk = std::move(risk);
-  row.bound = std::move(bound);
-  row.plants = std::move(plants);
-  return row;
+  return make_case("Joints that meet", std::move(name), std::move(risk), std::move(bound), std::move(plants));
 }
 
 test::SceneRun cut(const char* how, const char* pairing, const char* order, Fault fault,
@@ -152,16 +146,12 @@ Case fallen_row() {
 }
 
 Case free_row(std::string name, const char* held, std::vector<std::string> words) {
-  Case row = joint_case(std::move(name), "a solution that drifts by round-off",
-                        "stops, and names the body, its free motion and the cure", {Fault::cured});
-  row.run = [held, words = std::move(words)](Fault fault) {
-    Outcome outcome;
-    outcome.must_say(
-        stopped_by("floating_block", {{"held", fault == Fault::cured ? "fallen" : held}}, Fault::none),
-        words);
-    return outcome;
+  const auto said = [held](Fault fault) {
+    return stopped_by("floating_block", {{"held", fault == Fault::cured ? "fallen" : held}}, Fault::none);
   };
-  return row;
+  return must_stop(joint_case(std::move(name), "a solution that drifts by round-off",
+                              "stops, and names the body, its free motion and the cure", {Fault::cured}),
+                   said, std::move(words));
 }
 
 }  // namespace

@@ -98,13 +98,8 @@ void add_laws(const test::SceneRun& run, double mu, Outcome& outcome) {
 }
 
 Case cycle_case(std::string name, std::string risk, std::string bound) {
-  Case row;
-  row.group = "Cycles of statuses";
-  row.name = std::move(name);
-  row.risk = std::move(risk);
-  row.bound = std::move(bound);
-  row.plants = {Fault::cured, Fault::frozen_status, Fault::scaled_traction};
-  return row;
+  return make_case("Cycles of statuses", std::move(name), std::move(risk), std::move(bound),
+                   {Fault::cured, Fault::frozen_status, Fault::scaled_traction});
 }
 
 Case stops_row() {

@@ -14,13 +14,7 @@ namespace {
 constexpr double pressed = 2e6;  // N on the joint, as the scene says
 
 Case friction_case(std::string name, std::string risk, std::string bound, std::vector<Fault> plants) {
-  Case row;
-  row.group = "Friction";
-  row.name = std::move(name);
-  row.risk = std::move(risk);
-  row.bound = std::move(bound);
-  row.plants = std::move(plants);
-  return row;
+  return make_case("Friction", std::move(name), std::move(risk), std::move(bound), std::move(plants));
 }
 
 /// What all of these must keep: balance, and shear within the strength everywhere.
@@ -213,14 +207,9 @@ std::string cycle_text(Fault fault) {
 
 Case message_row(std::string name, std::string risk, std::string (*said)(Fault),
                  std::vector<std::string> words) {
-  Case row = friction_case(std::move(name), std::move(risk), "stops, and names the points and the cure",
-                           {Fault::cured});
-  row.run = [said, words = std::move(words)](Fault fault) {
-    Outcome outcome;
-    outcome.must_say(said(fault), words);
-    return outcome;
-  };
-  return row;
+  return must_stop(friction_case(std::move(name), std::move(risk), "stops, and names the points and the cure",
+                                 {Fault::cured}),
+                   said, std::move(words));
 }
 
 std::string jump_text(Fault fault) {

@@ -14,13 +14,7 @@ namespace {
 constexpr double pressed = 1e6;  // as the scene says
 
 Case contact_case(std::string name, std::string risk, std::string bound, std::vector<Fault> plants) {
-  Case row;
-  row.group = "Contact";
-  row.name = std::move(name);
-  row.risk = std::move(risk);
-  row.bound = std::move(bound);
-  row.plants = std::move(plants);
-  return row;
+  return make_case("Contact", std::move(name), std::move(risk), std::move(bound), std::move(plants));
 }
 
 /// How far the pressure is from an even one, everywhere along a joint.

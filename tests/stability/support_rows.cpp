@@ -93,18 +93,9 @@ Case nearer_points_row() {
 
 Case message_row(std::string name, std::string risk, const std::function<std::string(Fault)>& said,
                  std::vector<std::string> words) {
-  Case row;
-  row.group = "Supports";
-  row.name = std::move(name);
-  row.risk = std::move(risk);
-  row.bound = "stops, and names the place and the cure";
-  row.plants = {Fault::cured};
-  row.run = [said, words = std::move(words)](Fault fault) {
-    Outcome outcome;
-    outcome.must_say(said(fault), words);
-    return outcome;
-  };
-  return row;
+  return must_stop(make_case("Supports", std::move(name), std::move(risk),
+                             "stops, and names the place and the cure", {Fault::cured}),
+                   said, std::move(words));
 }
 
 std::string too_near(Fault fault) {

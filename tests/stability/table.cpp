@@ -31,6 +31,26 @@ void Outcome::must_say(const std::string& message, const std::vector<std::string
     if (message.find(each) == std::string::npos) missing.push_back("does not say '" + each + "'");
 }
 
+Case make_case(std::string group, std::string name, std::string risk, std::string bound,
+               std::vector<Fault> plants) {
+  Case row;
+  row.group = std::move(group);
+  row.name = std::move(name);
+  row.risk = std::move(risk);
+  row.bound = std::move(bound);
+  row.plants = std::move(plants);
+  return row;
+}
+
+Case must_stop(Case row, std::function<std::string(Fault)> said, std::vector<std::string> words) {
+  row.run = [said = std::move(said), words = std::move(words)](Fault fault) {
+    Outcome outcome;
+    outcome.must_say(said(fault), words);
+    return outcome;
+  };
+  return row;
+}
+
 Outcome run(const Case& row, Fault fault) {
   try {
     return row.run(fault);

@@ -39,6 +39,12 @@ struct Case {
   std::string known;          ///< why a red row is known; empty: it must be green
 };
 
+/// A row without what it runs.
+Case make_case(std::string group, std::string name, std::string risk, std::string bound,
+               std::vector<Fault> plants);
+/// The row of a case that must stop: what it said must hold these words.
+Case must_stop(Case row, std::function<std::string(Fault)> said, std::vector<std::string> words);
+
 struct Result {
   const Case* row = nullptr;
   Outcome outcome;
